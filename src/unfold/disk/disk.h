@@ -5,16 +5,9 @@
 
 #include <planish/mesh/patch.h>
 
+#include "energy/symmetric_dirichlet.h"
+
 namespace planish {
-
-/// A triangle of the patch laid into the plane by itself: corners at (0, 0), (length, 0) and tip,
-/// tip.y > 0. A triangle without area gets a little.
-struct RestTriangle {
-  double length = 1.0;
-  Vec2 tip;
-
-  double area() const { return 0.5 * length * tip.y; }
-};
 
 /// A disk patch as the unfolding needs it: used vertices only, numbered in an order that keeps
 /// sparse factors small, so that matrices over them are factored as they are; lengths scaled so

@@ -21,30 +21,6 @@ struct Pair {
   double longer = 0.0, shorter = 0.0;
 };
 
-/// What is left of a bound, and its multiplier.
-struct Bound {
-  double slack = 1.0, multiplier = 0.0;
-
-  double stiffness() const { return multiplier / slack; }
-
-  /// Of the multiplier, by a Newton step on slack * multiplier = mu.
-  double multiplier_step(double mu, double slack_step) const {
-    return (mu - multiplier * slack_step) / slack - multiplier;
-  }
-};
-
-/// An edge in the plane.
-struct LaidEdge {
-  Vec2 along;  // unit vector
-  double length = 0.0, strain = 0.0;
-};
-
-LaidEdge laid(const FlatEdge& edge, const std::vector<Vec2>& flat) {
-  const Vec2 d = flat[edge.to] - flat[edge.from];
-  const double length = norm(d);
-  return {(1.0 / length) * d, length, length / edge.length - 1.0};
-}
-
 /// The sum of logarithms of many numbers, with few logarithms.
 class LogSum {
  public:
@@ -127,12 +103,13 @@ class BoundedDescent {
     double share = 1.0;
   };
 
+  LaidEdge laid(std::size_t e) const { return {edges_[e], now_.flat}; }
   bool is_bounded(std::size_t e) const { return bounds_[e].longer < k_infinity; }
 
   double largest_share_of_bound() const {
     double largest = 0.0;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const double strain = laid(edges_[e], now_.flat).strain;
+      const double strain = laid(e).strain;
       const double bound = strain < 0.0 ? bounds_[e].shorter : bounds_[e].longer;
       largest = std::max(largest, std::abs(strain) / bound);
     }
@@ -143,7 +120,7 @@ class BoundedDescent {
     std::vector<Pair> slacks(edges_.size(), Pair{1.0, 1.0});
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
-      const double strain = laid(edges_[e], flat).strain;
+      const double strain = LaidEdge(edges_[e], flat).strain;
       slacks[e] = {scale * bounds_[e].longer - strain, scale * bounds_[e].shorter + strain};
     }
     return slacks;
@@ -202,24 +179,11 @@ class BoundedDescent {
     curvature.add(scale_bound_.multiplier / scale_bound_.slack);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
-      const Bound &longer = longer_[e], &shorter = shorter_[e];
-      const double b = bounds_[e].longer, ratio = bounds_[e].ratio(), rest = edges_[e].length;
-      const double stiff_longer = longer.stiffness(), stiff_shorter = shorter.stiffness();
-      const LaidEdge edge = laid(edges_[e], now_.flat);
-      gradient.add(-mu_ * b * (1.0 / longer.slack + ratio * (1.0 / shorter.slack)));
-      curvature.add(b * b * (stiff_longer + ratio * ratio * stiff_shorter));
-      system_.add_to(mixed_, edges_[e],
-                     (b * (ratio * stiff_shorter - stiff_longer) / rest) * edge.along);
-      // Where a bound pushes an edge longer, it does so less as the edge turns: left out, so that
-      // the matrix stays positive definite.
-      const double across =
-          std::max(0.0, longer.multiplier - shorter.multiplier) / (rest * edge.length);
-      const double along = (stiff_longer + stiff_shorter) / (rest * rest);
-      const Vec2 u = edge.along;
-      system_.add(edges_[e], ends_[e],
-                  (mu_ * (1.0 / longer.slack - 1.0 / shorter.slack) / rest) * u,
-                  {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
-                   along * u.y * u.y + across * u.x * u.x});
+      const BarrierTerm term(edges_[e], laid(e), bounds_[e], longer_[e], shorter_[e], mu_);
+      gradient.add(term.scale);
+      curvature.add(term.scale_twice);
+      system_.add_to(mixed_, edges_[e], term.mixed);
+      system_.add(edges_[e], ends_[e], term.ends);
     }
     scale_gradient_ = gradient.value();
     scale_curvature_ = curvature.value();
@@ -256,7 +220,7 @@ class BoundedDescent {
       if (!is_bounded(e)) continue;
       const FlatEdge& edge = edges_[e];
       const Vec2 change = direction.move[edge.to] - direction.move[edge.from];
-      const double strain = dot(laid(edge, now_.flat).along, change) / edge.length;
+      const double strain = dot(laid(e).along, change) / edge.length;
       steps[e] = {bounds_[e].longer * direction.scale - strain,
                   bounds_[e].shorter * direction.scale + strain};
     }
@@ -303,7 +267,7 @@ class BoundedDescent {
       const double beyond = longer_[e].slack + share * steps[e].longer - trial.slacks[e].longer;
       const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
       const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
-      system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
+      system_.add_to(pull, edges_[e], -beyond * stiff * laid(e).along);
       scale_pull.add(bounds_[e].longer * beyond *
                      (stiff_longer - bounds_[e].ratio() * stiff_shorter));
     }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "energy/edge_bounds.h"
 #include "unfold/stretch/flat_edges.h"
 #include "unfold/stretch/stretch_system.h"
 
@@ -17,15 +18,6 @@ struct BoundedAims {
   /// What a unit of the scale costs, in units of the energy of the start.
   double weight = 100.0;
   int max_iterations = 200;
-};
-
-/// How much longer or shorter an edge may get in the pattern, shares of its length on the patch,
-/// above 0: infinite both where it may as it likes.
-struct EdgeBounds {
-  double longer = 0.0, shorter = 0.0;
-
-  /// Of a strain that much shorter counts as much as `longer`: 1 where both bounds are equal.
-  double ratio() const { return shorter / longer; }
 };
 
 struct BoundedStretch {

@@ -37,7 +37,7 @@ std::vector<double> strains_of(std::span<const FlatEdge> edges, const std::vecto
   std::vector<double> strains;
   strains.reserve(edges.size());
   for (const FlatEdge& edge : edges)
-    strains.push_back(norm(flat[edge.to] - flat[edge.from]) / edge.length - 1.0);
+    strains.push_back(LaidEdge(edge, flat).strain);
   return strains;
 }
 

@@ -2,25 +2,14 @@
 
 #include <vector>
 
+#include "energy/flat_edge.h"
 #include "unfold/disk/disk.h"
 #include "unfold/strain/strain_of_edges.h"
 
 namespace planish {
 
-/// An edge of a disk as it is on the patch, in the disk's units.
-struct FlatEdge {
-  Index from, to;
-  double length;
-  double area;  ///< a third of that of its triangles; those of all edges add up to 1
-};
-
-/// The second derivative of a function of a vector in the plane: symmetric.
-struct EdgeHessian {
-  double xx, xy, yy;
-};
-
-/// All edges, each once, by their ends. Lengths are those of the mesh, also of needles, to whose
-/// rest triangles a little height was given.
+/// All edges of a disk, each once, by their ends, in its units. Lengths are those of the mesh, also
+/// of needles, to whose rest triangles a little height was given.
 std::vector<FlatEdge> flat_edges(const TriMesh& mesh, const Disk& disk);
 
 /// The strain of each edge: its length in the plane over that on the patch, minus 1.

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/neumaier_sum.h"
-
 namespace planish {
 
 std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
@@ -16,17 +14,6 @@ std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
   for (Vec2& p : flat)
     p = {dot(axis, p - origin), cross(axis, p - origin)};
   return flat;
-}
-
-double total_energy(const Disk& disk, const std::vector<Vec2>& flat) {
-  NeumaierSum sum;
-  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
-    if (!(doubled_area(disk.triangles[t], flat) > 0.0)) {
-      return std::numeric_limits<double>::infinity();
-    }
-    sum.add(energy_of(disk, t, flat).value());
-  }
-  return sum.value();
 }
 
 double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,

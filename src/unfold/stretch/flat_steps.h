@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "unfold/disk/disk.h"
-#include "unfold/stretch/symmetric_dirichlet.h"
 
 namespace planish {
 
@@ -17,14 +16,10 @@ inline Index opposite_of_first(const Disk& disk) {
 /// half way around on the x axis.
 std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat);
 
-/// @pre the triangle is not flipped
-inline TriangleEnergy energy_of(const Disk& disk, std::size_t t, const std::vector<Vec2>& flat) {
-  const Triangle& tri = disk.triangles[t];
-  return {disk.rest[t], flat[tri[0]], flat[tri[1]], flat[tri[2]]};
+/// The symmetric Dirichlet energy of all triangles; infinite where one has no positive area.
+inline double total_energy(const Disk& disk, const std::vector<Vec2>& flat) {
+  return symmetric_dirichlet(disk.triangles, disk.rest, flat);
 }
-
-/// Of all triangles; infinite where one has no positive area.
-double total_energy(const Disk& disk, const std::vector<Vec2>& flat);
 
 /// The share of a step at which the first triangle loses its area; infinite if none does.
 double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,

@@ -10,8 +10,28 @@ namespace planish {
 
 namespace {
 
+std::vector<TurnBending::Turn> turns_of(const Disk& disk, const BorderLengths& lengths) {
+  constexpr double k_shortest = 0.05;  // of the mean
+  const std::size_t n = disk.border.size();
+  double total = 0.0;
+  for (const double length : lengths.of_edges)
+    total += length;
+  const double shortest = k_shortest * total / static_cast<double>(n);
+  std::vector<TurnBending::Turn> turns;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before =
+        (k + n - 1) % n;  // the edge that ends here, and the vertex it is from
+    const double least = std::min(lengths.of_edges[before], lengths.of_edges[k]);
+    if (!(least > shortest) || (lengths.may_change(before) && lengths.may_change(k))) continue;
+    const double length = 0.5 * (lengths.of_edges[before] + lengths.of_edges[k]);
+    turns.push_back({{disk.border[before], disk.border[k], disk.border[(k + 1) % n]},
+                     HeldBorder::k_stiffness / length});
+  }
+  return turns;
+}
+
 /// Of vertices that share a triangle or a turn.
-Graph graph_of(const Disk& disk, const BorderBend& bend) {
+Graph graph_of(const Disk& disk, const TurnBending& bend) {
   std::vector<std::array<Index, 2>> pairs;
   pairs.reserve(6 * (disk.triangles.size() + bend.turns().size()));
   const auto add = [&](const Triangle& t) {
@@ -23,7 +43,7 @@ Graph graph_of(const Disk& disk, const BorderBend& bend) {
   };
   for (const Triangle& t : disk.triangles)
     add(t);
-  for (const BorderBend::Turn& turn : bend.turns())
+  for (const TurnBending::Turn& turn : bend.turns())
     add(turn.vertices);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -51,7 +71,7 @@ std::vector<Vec3> in_space(const std::vector<Vec2>& flat) {
 
 HeldBorder::HeldBorder(const Disk& disk, BorderLengths wanted, const std::vector<Vec2>& like)
     : lengths(std::move(wanted)),
-      bend(disk, lengths, like),
+      bend(turns_of(disk, lengths), like),
       order(nested_dissection(in_space(like), graph_of(disk, bend))) {}
 
 }  // namespace planish

@@ -13,7 +13,7 @@ namespace planish {
 /// Minimises the symmetric Dirichlet energy among the flat disks without flipped triangles whose
 /// border edges, but those that are free, have the lengths given (docs/unfold.md): Newton steps
 /// with multipliers, judged by the energy plus a price on what lengths are off by. To the energy
-/// belongs what it costs to bend the border (BorderBend).
+/// belongs what it costs to bend the border (TurnBending).
 /// @param start without flipped triangles; its border may have other lengths
 /// @return the lengths are kept if `matched`
 struct MatchedBorder {

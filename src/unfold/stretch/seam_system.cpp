@@ -14,23 +14,21 @@ namespace {
 constexpr double k_give = 1e-10;
 constexpr double k_kept = 1e-10, k_rounding = 4e-16;
 
-struct BorderEdge {
-  Index from, to;
-};
-
-BorderEdge border_edge(const Disk& disk, std::size_t k) {
-  return {disk.border[k], disk.border[(k + 1) % disk.border.size()]};
+/// With the length that it is to have.
+FlatEdge border_edge(const Disk& disk, const HeldBorder& border, std::size_t k) {
+  return {disk.border[k], disk.border[(k + 1) % disk.border.size()], border.lengths.of_edges[k],
+          0.0};
 }
 
 /// Of vertices that share a turn, and of the ends of an edge with its pull.
 BlockMatrix::ForPairs pairs_of_border(const Disk& disk, const HeldBorder& border) {
   return [&](const BlockMatrix::VisitPair& visit) {
-    for (const BorderBend::Turn& turn : border.bend.turns()) {
+    for (const TurnBending::Turn& turn : border.bend.turns()) {
       for (std::size_t k = 0; k < 3; ++k)
         visit(turn.vertices[k], turn.vertices[(k + 1) % 3]);
     }
     for (std::size_t k = 0; k < disk.border.size(); ++k) {
-      const BorderEdge edge = border_edge(disk, k);
+      const FlatEdge edge = border_edge(disk, border, k);
       for (const Index v : {edge.from, edge.to})
         visit(v, static_cast<Index>(disk.vertex_count + k));
     }
@@ -45,7 +43,7 @@ SeamSystem::SeamSystem(const Disk& disk, const HeldBorder& border, ThreadPool& p
       edges_of_(disk.triangles.size()) {
   find_edges_of_triangles();
   pulls_ = gaps_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
-  for (const BorderBend::Turn& turn : border.bend.turns())
+  for (const TurnBending::Turn& turn : border.bend.turns())
     turn_pairs_.push_back(pairs_of(turn.vertices));
 }
 
@@ -57,7 +55,7 @@ void SeamSystem::find_edges_of_triangles() {
     for (int i = 0; i < 3; ++i) {
       const std::size_t k = edge_from[disk_.triangles[t][i]];
       if (k == disk_.border.size()) continue;
-      if (border_edge(disk_, k).to == disk_.triangles[t][(i + 1) % 3]) {
+      if (border_edge(disk_, border_, k).to == disk_.triangles[t][(i + 1) % 3]) {
         edges_of_[t].push_back(static_cast<Index>(k));
       }
     }
@@ -67,8 +65,8 @@ void SeamSystem::find_edges_of_triangles() {
 std::vector<Index> SeamSystem::elimination_order() const {
   std::vector<std::vector<std::size_t>> edges(disk_.vertex_count);
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    edges[border_edge(disk_, k).from].push_back(k);
-    edges[border_edge(disk_, k).to].push_back(k);
+    edges[border_edge(disk_, border_, k).from].push_back(k);
+    edges[border_edge(disk_, border_, k).to].push_back(k);
   }
   std::vector<char> is_begun(disk_.border.size(), 0);
   std::vector<Index> order;
@@ -85,13 +83,11 @@ std::vector<Index> SeamSystem::elimination_order() const {
 }
 
 Eigen::VectorXd SeamSystem::gaps(const std::vector<Vec2>& flat) const {
-  const BorderLengths& lengths = border_.lengths;
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk_.border.size()));
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    if (lengths.may_change(k)) continue;
-    const BorderEdge edge = border_edge(disk_, k);
-    gaps[static_cast<Eigen::Index>(k)] =
-        norm(flat[edge.to] - flat[edge.from]) - lengths.of_edges[k];
+    if (border_.lengths.may_change(k)) continue;
+    const FlatEdge edge = border_edge(disk_, border_, k);
+    gaps[static_cast<Eigen::Index>(k)] = LaidEdge(edge, flat).length - edge.length;
   }
   return gaps;
 }
@@ -117,7 +113,7 @@ SeamSystem::Hessian6 SeamSystem::hessian_of(std::size_t t, const TriangleEnergy&
   Matrix6 hessian = entries;
   const Triangle& tri = disk_.triangles[t];
   for (const Index k : edges_of_[t]) {
-    const BorderEdge edge = border_edge(disk_, k);
+    const FlatEdge edge = border_edge(disk_, border_, k);
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const double length = norm(d);
     Eigen::Matrix<double, 6, 1> across = Eigen::Matrix<double, 6, 1>::Zero();
@@ -139,13 +135,12 @@ SeamSystem::Hessian6 SeamSystem::hessian_of(std::size_t t, const TriangleEnergy&
 
 void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    const BorderEdge edge = border_edge(disk_, k);
+    const FlatEdge edge = border_edge(disk_, border_, k);
     const Index pull = block_of_pull(k);
     const bool is_free = border_.lengths.may_change(k);
     *matrix_.own(pull, 0) = is_free ? -1.0 : -k_give;
     if (is_free) continue;
-    const Vec2 d = flat[edge.to] - flat[edge.from];
-    const Vec2 along = (1.0 / norm(d)) * d;
+    const Vec2 along = LaidEdge(edge, flat).along;
     const auto set = [&](Index v, double sign) {
       const double parts[2] = {sign * along.x, sign * along.y};
       const BlockMatrix::Pair pair = matrix_.pair_of(v, pull);
@@ -159,12 +154,8 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
 
 void SeamSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature) {
   StretchSystem::assemble(flat, curvature);
-  for (std::size_t k = 0; k < turn_pairs_.size(); ++k) {
-    const BorderBend::Turn& turn = border_.bend.turns()[k];
-    const BorderBend::Derivatives bend = BorderBend::derivatives(turn, flat, stiffness_);
-    add_gradient(turn.vertices, bend.gradient);
-    add_hessian(turn.vertices, turn_pairs_[k], bend.hessian);
-  }
+  for (std::size_t k = 0; k < turn_pairs_.size(); ++k)
+    add(border_.bend.summand(k, flat, stiffness_), turn_pairs_[k]);
   add_lengths(flat);
   gaps_ = gaps(flat);
 }

@@ -10,7 +10,7 @@
 namespace planish {
 
 /// The Newton steps of a flat disk whose border edges are to have given lengths, and whose border
-/// bends at a cost (BorderBend):
+/// bends at a cost (TurnBending):
 ///
 ///     [ H  J^T  ] [ move ]   [     -g     ]
 ///     [ J  -d I ] [ pull ] = [ -gap - d y ]
@@ -26,7 +26,7 @@ class SeamSystem final : public StretchSystem {
 
   void stiffen(double times) override { stiffness_ = times; }
   double energy(const std::vector<Vec2>& flat) const override {
-    return StretchSystem::energy(flat) + stiffness_ * border_.bend.energy(flat);
+    return StretchSystem::energy(flat) + stiffness_ * border_.bend.value(flat);
   }
   void assemble(const std::vector<Vec2>& flat, Curvature curvature) override;
   /// False also where the energy has no minimum among moves that keep lengths, which happens with

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/neumaier_sum.h"
+#include "energy/strain_price.h"
 #include "geometry/crosses_itself.h"
 #include "optimize/line_search.h"
 #include "unfold/strain/strain_of_edges.h"
-#include "unfold/stretch/edge_price.h"
 #include "unfold/stretch/flat_steps.h"
 
 namespace planish {
@@ -26,23 +25,15 @@ double peak_strain(std::span<const FlatEdge> edges, std::span<const double> stra
   return strain_at_share(with_areas(edges, strains), share);
 }
 
-/// Newton steps that lower E + w E_0 sum of a_e price(s_e / peak), where E is the symmetric
-/// Dirichlet energy, E_0 that of the start, and s_e the strain of an edge with the area a_e.
+/// Newton steps that lower E + w E_0 P, E the symmetric Dirichlet energy, E_0 that of the start, P
+/// the StrainPrice.
 class PricedSteps {
  public:
-  using Price = EdgePrice(double);
-
-  PricedSteps(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
-              const std::vector<Vec2>& start, double peak, Price& price)
-      : disk_(disk),
-        system_(system),
-        edges_(edges),
-        peak_(peak),
-        price_of_(price),
-        flat_(start),
-        unit_(system.energy(start)) {
-    ends_.reserve(edges.size());
-    for (const FlatEdge& edge : edges)
+  PricedSteps(const Disk& disk, StretchSystem& system, const std::vector<Vec2>& start,
+              const StrainPrice& price)
+      : disk_(disk), system_(system), price_(price), flat_(start), unit_(system.energy(start)) {
+    ends_.reserve(price.edges.size());
+    for (const FlatEdge& edge : price.edges)
       ends_.push_back(system_.pair_of(edge));
   }
 
@@ -63,31 +54,14 @@ class PricedSteps {
  private:
   void assemble(double price) {
     system_.assemble(flat_, Curvature::projected);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const FlatEdge& edge = edges_[e];
-      const Vec2 d = flat_[edge.to] - flat_[edge.from];
-      const double length = norm(d);
-      const Vec2 u = (1.0 / length) * d;
-      const EdgePrice cost = price_of_((length / edge.length - 1.0) / peak_);
-      const double unit = peak_ * edge.length;
-      const double slope = price * edge.area * cost.slope / unit;
-      const double along = price * edge.area * cost.curvature / (unit * unit);
-      // Where an edge is to get longer, turning it helps: left out, so that the matrix stays
-      // positive definite.
-      const double across = std::max(0.0, slope) / length;
-      system_.add(edge, ends_[e], slope * u,
-                  {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
-                   along * u.y * u.y + across * u.x * u.x});
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+      const FlatEdge& edge = price_.edges[e];
+      system_.add(edge, ends_[e], price_.term(edge, flat_, price));
     }
   }
 
   double energy(const std::vector<Vec2>& flat, double price) const {
-    NeumaierSum cost;
-    for (const FlatEdge& edge : edges_) {
-      const double strain = norm(flat[edge.to] - flat[edge.from]) / edge.length - 1.0;
-      cost.add(edge.area * price_of_(strain / peak_).value);
-    }
-    return system_.energy(flat) + price * cost.value();
+    return system_.energy(flat) + price * price_.value(flat);
   }
 
   bool move_along(const Eigen::VectorXd& step, double slope, double price) {
@@ -106,9 +80,7 @@ class PricedSteps {
 
   const Disk& disk_;
   StretchSystem& system_;
-  std::span<const FlatEdge> edges_;
-  double peak_;
-  Price& price_of_;
+  StrainPrice price_;
   std::vector<BlockMatrix::Pair> ends_;
   std::vector<Vec2> flat_;
   double unit_;
@@ -165,7 +137,7 @@ LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
   const double peak = peak_strain(edges, strains_of(edges, least.flat));
   if (!(peak > any_sheet_takes)) return least;
   const Budget budget(disk, edges, least.flat, most_rms);
-  PricedSteps spreading(disk, system, edges, least.flat, peak, price_of);
+  PricedSteps spreading(disk, system, least.flat, {edges, peak, peak_price});
   LeastStretch result{least.flat, least.iterations, least.converged};
   double weight = first_weight;
   for (int k = 0; k < most_weights; ++k, weight *= growth) {
@@ -193,7 +165,7 @@ LeastStretch lower_rms(const Disk& disk, StretchSystem& system, std::span<const 
   };
   const double least_rms = rms_of(least.flat);
   const Budget budget(disk, edges, least.flat, least_rms);
-  PricedSteps lowering(disk, system, edges, least.flat, least_rms, square_price);
+  PricedSteps lowering(disk, system, least.flat, {edges, least_rms, square_price});
   LeastStretch result = std::move(least);
   double weight = first_weight;
   for (int k = 0; k < most_weights && rms_of(result.flat) > most_rms; ++k, weight *= growth) {

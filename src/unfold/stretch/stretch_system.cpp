@@ -25,6 +25,10 @@ BlockMatrix matrix_of(const Disk& disk, std::size_t more_blocks,
           }};
 }
 
+double axis_of(Vec2 a, int axis) {
+  return axis == 0 ? a.x : a.y;
+}
+
 }  // namespace
 
 StretchSystem::StretchSystem(const Disk& disk, ThreadPool& pool)
@@ -49,26 +53,26 @@ void StretchSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature)
   matrix_.clear();
   gradient_.setZero();
   for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
-    const TriangleEnergy energy = energy_of(disk_, t, flat);
     const Triangle& tri = disk_.triangles[t];
-    add_gradient(tri, energy.gradient());
-    add_hessian(tri, triangle_pairs_[t], hessian_of(t, energy, flat, curvature));
+    const TriangleEnergy energy(disk_.rest[t], flat[tri[0]], flat[tri[1]], flat[tri[2]]);
+    const std::array<double, 6> gradient = energy.gradient();
+    for (std::size_t k = 0; k < 3; ++k)
+      add_to(gradient_, tri[k], {gradient[2 * k], gradient[2 * k + 1]});
+    const Hessian6 hessian = hessian_of(t, energy, flat, curvature);
+    matrix_.add(tri, triangle_pairs_[t].data(),
+                [&](std::size_t i, int row, std::size_t j, int column) {
+                  return hessian[2 * i + static_cast<std::size_t>(row)]
+                                [2 * j + static_cast<std::size_t>(column)];
+                });
   }
 }
 
-void StretchSystem::add_hessian(const Triangle& corners, const TrianglePairs& pairs,
-                                const Hessian6& hessian) {
-  matrix_.add(corners, pairs.data(), [&](std::size_t i, int row, std::size_t j, int column) {
-    return hessian[2 * i + static_cast<std::size_t>(row)][2 * j + static_cast<std::size_t>(column)];
+void StretchSystem::add(const Summand<3, Vec2>& part, const TrianglePairs& pairs) {
+  for (std::size_t k = 0; k < 3; ++k)
+    add_to(gradient_, part.vertices[k], part.first * part.gradient[k]);
+  matrix_.add(part.vertices, pairs.data(), [&](std::size_t i, int row, std::size_t j, int column) {
+    return part.second * axis_of(part.gradient[i], row) * axis_of(part.gradient[j], column);
   });
-}
-
-void StretchSystem::add_gradient(const Triangle& corners, const std::array<double, 6>& gradient) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (int axis = 0; axis < matrix_.size(corners[i]); ++axis)
-      gradient_[matrix_.unknown(corners[i], axis)] +=
-          gradient[2 * i + static_cast<std::size_t>(axis)];
-  }
 }
 
 bool StretchSystem::factor() {
@@ -82,10 +86,9 @@ bool StretchSystem::factor() {
   return factor_->factor(hessian(), pool_);
 }
 
-void StretchSystem::add(const FlatEdge& edge, BlockMatrix::Pair ends, Vec2 gradient,
-                        const EdgeHessian& hessian) {
-  add_to(gradient_, edge, gradient);
-  const double block[2][2] = {{hessian.xx, hessian.xy}, {hessian.xy, hessian.yy}};
+void StretchSystem::add(const FlatEdge& edge, BlockMatrix::Pair ends, const EdgeTerm& term) {
+  add_to(gradient_, edge, term.gradient);
+  const double block[2][2] = {{term.xx, term.xy}, {term.xy, term.yy}};
   matrix_.add(std::array{edge.from, edge.to}, &ends,
               [&](std::size_t i, int row, std::size_t j, int column) {
                 return i == j ? block[row][column] : -block[row][column];
@@ -97,14 +100,14 @@ bool StretchSystem::solved_by(const Eigen::VectorXd& step) const {
   return residual.norm() <= 0.1 * gradient_.norm();
 }
 
+void StretchSystem::add_to(Eigen::VectorXd& unknowns, Index v, Vec2 gradient) const {
+  for (int axis = 0; axis < matrix_.size(v); ++axis)
+    unknowns[matrix_.unknown(v, axis)] += axis_of(gradient, axis);
+}
+
 void StretchSystem::add_to(Eigen::VectorXd& unknowns, const FlatEdge& edge, Vec2 gradient) const {
-  const auto add = [&](Index v, Vec2 change) {
-    const double parts[2] = {change.x, change.y};
-    for (int axis = 0; axis < matrix_.size(v); ++axis)
-      unknowns[matrix_.unknown(v, axis)] += parts[axis];
-  };
-  add(edge.from, {-gradient.x, -gradient.y});
-  add(edge.to, gradient);
+  add_to(unknowns, edge.from, {-gradient.x, -gradient.y});
+  add_to(unknowns, edge.to, gradient);
 }
 
 std::vector<Vec2> StretchSystem::spread(const Eigen::VectorXd& unknowns) const {

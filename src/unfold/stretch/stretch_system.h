@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "energy/summand.h"
 #include "optimize/block_matrix.h"
 #include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_edges.h"
@@ -35,7 +36,7 @@ class StretchSystem {
     return matrix_.pair_of(edge.from, edge.to);
   }
   /// Adds a function of the vector from one end of an edge to the other.
-  void add(const FlatEdge& edge, BlockMatrix::Pair ends, Vec2 gradient, const EdgeHessian& hessian);
+  void add(const FlatEdge& edge, BlockMatrix::Pair ends, const EdgeTerm& term);
 
   const SparseMatrix& hessian() const { return matrix_.lower(); }
   const Eigen::VectorXd& gradient() const { return gradient_; }
@@ -53,7 +54,8 @@ class StretchSystem {
   /// To be told of each step that was made, with the share of it.
   virtual void follow(const Eigen::VectorXd& /*step*/, double /*share*/) {}
 
-  /// Adds to a vector of the unknowns what the ends of an edge get.
+  /// Adds to a vector of the unknowns what a vertex gets, or the ends of an edge.
+  void add_to(Eigen::VectorXd& unknowns, Index v, Vec2 gradient) const;
   void add_to(Eigen::VectorXd& unknowns, const FlatEdge& edge, Vec2 gradient) const;
   std::vector<Vec2> spread(const Eigen::VectorXd& unknowns) const;
 
@@ -68,10 +70,9 @@ class StretchSystem {
                               const std::vector<Vec2>& /*flat*/, Curvature curvature) const {
     return energy.hessian(curvature);
   }
-  void add_gradient(const Triangle& corners, const std::array<double, 6>& gradient);
   using TrianglePairs = std::array<BlockMatrix::Pair, 3>;
   TrianglePairs pairs_of(const Triangle& corners) const;
-  void add_hessian(const Triangle& corners, const TrianglePairs& pairs, const Hessian6& hessian);
+  void add(const Summand<3, Vec2>& part, const TrianglePairs& pairs);
   /// The unknowns in order of elimination; empty where they are numbered so.
   virtual std::vector<Index> elimination_order() const { return {}; }
 

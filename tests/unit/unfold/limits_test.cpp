@@ -199,8 +199,9 @@ TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
     for (const FlatEdge& edge : edges) {
       const Vec2 d = at[edge.to] - at[edge.from];
       const double r = norm(d);
-      system->add(edge, system->pair_of(edge), 3.0 * r * d,
-                  {3.0 * (r + d.x * d.x / r), 3.0 * d.x * d.y / r, 3.0 * (r + d.y * d.y / r)});
+      system->add(
+          edge, system->pair_of(edge),
+          {3.0 * r * d, 3.0 * (r + d.x * d.x / r), 3.0 * d.x * d.y / r, 3.0 * (r + d.y * d.y / r)});
     }
     return system;
   };

@@ -12,7 +12,7 @@
 #include "support/meshes.h"
 #include "support/watched_job.h"
 #include "unfold/disk/disk.h"
-#include "unfold/stretch/border_bend.h"
+#include "unfold/stretch/held_border.h"
 #include "unfold/stretch/matched_border.h"
 
 namespace planish {
@@ -75,7 +75,7 @@ double bend_of(const TriMesh& mesh, const std::vector<Vec2>& flat, const std::ve
     const double change = turn(flat, k) - turn(least, k);
     sum += change * change / (0.5 * (norm(b - a) + norm(c - b)));
   }
-  return BorderBend::k_stiffness * area * std::sqrt(area) * sum;
+  return HeldBorder::k_stiffness * area * std::sqrt(area) * sum;
 }
 
 TEST(MatchSeams, KeepsEveryBorderLengthHoweverCurvedThePatch) {

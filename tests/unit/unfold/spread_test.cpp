@@ -14,7 +14,6 @@
 #include "support/farthest.h"
 #include "support/meshes.h"
 #include "support/watched_job.h"
-#include "unfold/stretch/edge_price.h"
 
 namespace planish {
 namespace {
@@ -123,26 +122,6 @@ TEST(Spread, GivesTheSameBitsForEveryNumberOfThreads) {
   const Patch patch(make_shape("panel", 3000));
   EXPECT_EQ(unfold(patch, {}, {.threads = 1}).positions,
             unfold(patch, {}, {.threads = 3}).positions);
-}
-
-TEST(EdgePrice, HasTheSlopeAndCurvatureOfItsValue) {
-  constexpr double h = 1e-5;
-  for (EdgePrice (*price)(double) : {price_of, square_price}) {
-    for (const double x : {-3.0, -1.2, -0.7, 0.3, 0.9, 1.1, 4.0}) {
-      const double slope = (price(x + h).value - price(x - h).value) / (2.0 * h);
-      const double curvature = (price(x + h).slope - price(x - h).slope) / (2.0 * h);
-      EXPECT_NEAR(price(x).slope, slope, 1e-7 * (1.0 + std::abs(slope))) << x;
-      EXPECT_NEAR(price(x).curvature, curvature, 1e-7 * (1.0 + curvature)) << x;
-    }
-  }
-}
-
-TEST(EdgePrice, GoesOnSmoothlyWhereItIsOne) {
-  const EdgePrice below = price_of(std::nextafter(1.0, 0.0)), at = price_of(1.0);
-  EXPECT_NEAR(below.value, at.value, 1e-12);
-  EXPECT_NEAR(below.slope, at.slope, 1e-12);
-  EXPECT_NEAR(below.curvature, at.curvature, 1e-12);
-  EXPECT_DOUBLE_EQ(price_of(0.5).value, 1.0 / 256.0) << "x^8";
 }
 
 }  // namespace

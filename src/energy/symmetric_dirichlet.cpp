@@ -1,9 +1,11 @@
-#include "unfold/stretch/symmetric_dirichlet.h"
+#include "energy/symmetric_dirichlet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -106,6 +108,18 @@ std::array<std::array<double, 6>, 6> TriangleEnergy::hessian(Curvature curvature
     }
   }
   return hessian;
+}
+
+double symmetric_dirichlet(std::span<const Triangle> triangles, std::span<const RestTriangle> rest,
+                           std::span<const Vec2> flat) {
+  NeumaierSum sum;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [a, b, c] = triangles[t];
+    if (!(cross(flat[b] - flat[a], flat[c] - flat[a]) > 0.0))
+      return std::numeric_limits<double>::infinity();
+    sum.add(TriangleEnergy(rest[t], flat[a], flat[b], flat[c]).value());
+  }
+  return sum.value();
 }
 
 }  // namespace planish

@@ -1,4 +1,4 @@
-#include "unfold/stretch/symmetric_dirichlet.h"
+#include "energy/symmetric_dirichlet.h"
 
 #include <cmath>
 

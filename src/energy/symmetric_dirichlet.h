@@ -1,18 +1,32 @@
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "unfold/disk/disk.h"
+#include <planish/mesh/tri_mesh.h>
 
 namespace planish {
+
+/// A triangle of the patch laid into the plane by itself: corners at (0, 0), (length, 0) and tip,
+/// tip.y > 0. A triangle without area gets a little.
+struct RestTriangle {
+  double length = 1.0;
+  Vec2 tip;
+
+  double area() const { return 0.5 * length * tip.y; }
+};
 
 /// Whether second derivatives are taken as they are.
 enum class Curvature { full, projected };
 
 /// The symmetric Dirichlet energy of one triangle laid flat, less its value where nothing is
-/// stretched: area * ((s1 - 1 / s1)^2 + (s2 - 1 / s2)^2) with the principal stretches s1 and s2. It
-/// is 0 without stretch, grows alike for stretching and shrinking, and without bound as a triangle
-/// collapses, so that a path of finite energy cannot flip one.
+/// stretched (docs/unfold.md, "What is minimised"),
+///
+///     E = A ((s1 - 1 / s1)^2 + (s2 - 1 / s2)^2),
+///
+/// A its area, s1 and s2 the principal stretches. It is 0 without stretch, grows alike for
+/// stretching and shrinking, and without bound as a triangle collapses, so that a path of finite
+/// energy cannot flip one.
 class TriangleEnergy {
  public:
   /// @pre the triangle is not flipped in the plane
@@ -36,5 +50,9 @@ class TriangleEnergy {
   double s1_ = 1.0, s2_ = 1.0;  // stretches
   Vec2 u1_, u2_, v1_, v2_;      // their directions in the plane and on the patch
 };
+
+/// E of all triangles; infinite where one has no positive area.
+double symmetric_dirichlet(std::span<const Triangle> triangles, std::span<const RestTriangle> rest,
+                           std::span<const Vec2> flat);
 
 }  // namespace planish

@@ -23,7 +23,7 @@ ALLOWED = {
     "solve": {"core"},
     "mesh": {"core", "geometry"},
     "optimize": {"core", "solve"},
-    "energy": {"core", "geometry", "optimize", "mesh", "measure"},
+    "energy": {"core", "geometry", "solve", "optimize", "mesh", "measure"},
     "io": {"platform", "core", "mesh"},
     "measure": {"core", "geometry", "mesh"},
     "draw": {"core", "pattern"},

@@ -23,16 +23,31 @@ struct SecondDifference {
     }
     return sum;
   }
+  /// Of its part along an axis, by each vertex.
+  std::array<Vec3, 3> gradient(Vec3 axis) const {
+    return {weights[0] * axis, weights[1] * axis, weights[2] * axis};
+  }
 };
 
-/// Keeps moves smooth along lines: the mean of |second difference|^2 / length^2.
+/// Keeps moves smooth along lines,
+///
+///     sum of |f|^2 / (n l^2),
+///
+/// f the n second differences of the moves, l a length (docs/methods/smooth.md).
 class LineBending {
  public:
   LineBending(std::vector<SecondDifference> differences, double length);
 
   std::span<const SecondDifference> differences() const { return differences_; }
-  /// Of each square.
-  double weight() const { return weight_; }
+  /// k of each: the Hessian is k times the sum over axes of the squares of gradient(axis).
+  double stiffness() const { return 2.0 * weight_; }
+  /// Of one of them, by each of its vertices.
+  std::array<Vec3, 3> gradient(const SecondDifference& difference,
+                               const std::vector<Vec3>& moves) const {
+    const auto& w = difference.weights;
+    const Vec3 f = difference.of(moves);
+    return {stiffness() * w[0] * f, stiffness() * w[1] * f, stiffness() * w[2] * f};
+  }
   double value(const std::vector<Vec3>& moves) const;
 
  private:

@@ -198,7 +198,7 @@ TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
   };
   for (Index v = 0; v < coarse->inner_count(); ++v)
     coarse->move(v, coarse->origin(v) + dent(*coarse, v));
-  const AngleJacobian jacobian(fine);
+  const AngleJacobian jacobian = angle_jacobian_of(fine);
   levels.lift(1, *coarse, FairnessEnergy(jacobian, fine, 0.02), fine, pool);
   double worst = 0.0, most = 0.0;
   for (Index v = 0; v < fine.inner_count(); ++v) {

@@ -12,9 +12,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "energy/strain_potential.h"
 #include "evolve/auto/shared/border_motion.h"
 #include "evolve/auto/shared/fairness_energy.h"
-#include "evolve/auto/shared/strain_potential.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 #include "support/moves.h"
@@ -39,8 +39,8 @@ struct Laid {
         surface(mesh),
         state(surface, pool, constraints),
         border(freedom, most_deviation, state),
-        jacobian(state, border.movable()) {
-    jacobian.update(pool);
+        jacobian(angle_jacobian_of(state, border.movable())) {
+    jacobian.update(state.positions(), pool);
   }
 
   std::size_t count() const { return border.vertex_count(); }
@@ -256,7 +256,8 @@ TEST(KktSystem, SolvesAlongDirectionsAsTheDenseMatrixDoesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
     const FairnessEnergy cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
-    StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
+    StrainPotential potential(laid.jacobian, all_positions(laid.state), laid.pool,
+                              BoundaryCondition::dirichlet);
     const SparseMatrix &square = potential.square(), &hessian = cost.hessian();
     const int each = laid.border.direction_count();
     const auto for_entries = [&](const auto& visit) {

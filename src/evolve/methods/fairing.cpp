@@ -21,7 +21,7 @@ class FairingStepper {
       : options_(options),
         state_(state),
         pool_(pool),
-        jacobian_(state),
+        jacobian_(angle_jacobian_of(state)),
         origins_(inner_positions(state)) {
     const double pull = options.pull / static_cast<double>(state.inner_count());
     for (Index v = 0; v < state.inner_count(); ++v) {

@@ -53,7 +53,7 @@ class FlattenableStepper {
       : options_(options),
         state_(state),
         pool_(pool),
-        jacobian_(state),
+        jacobian_(angle_jacobian_of(state)),
         shares_(valence_shares(state)),
         hessian_(hessian_of(options, state, shares_)),
         identity_(hessian_.rows(), hessian_.cols()),
@@ -71,7 +71,7 @@ class FlattenableStepper {
 
   SweepOutcome step() {
     state_.measure(pool_);
-    jacobian_.update(pool_);
+    jacobian_.update(state_.positions(), pool_);
     if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
       base_ = inner_positions(state_);
     ++steps_;

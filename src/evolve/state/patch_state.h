@@ -67,6 +67,10 @@ class PatchState {
   const VisitPlan& plan() const { return plan_; }
 
   Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
+  /// The same as a function of the vertex.
+  auto positions() const {
+    return [this](std::size_t v) { return position(v); };
+  }
   /// Where a vertex was at first.
   Vec3 origin(std::size_t v) const { return scale_ * patch_.positions()[vertex_of_[v]]; }
   void move(std::size_t v, Vec3 to) { sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z; }

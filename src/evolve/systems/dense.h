@@ -23,4 +23,9 @@ inline Precision step_precision(std::size_t inner_vertices) {
   return is_dense(inner_vertices) ? Precision::mixed : Precision::full;
 }
 
+/// Of StrainPotential.
+inline Precision potential_precision(std::size_t inner_vertices) {
+  return is_dense(inner_vertices) ? Precision::rounded : Precision::full;
+}
+
 }  // namespace planish

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/systems/angle_jacobian.h"
+#include "energy/angle_jacobian.h"
+#include "evolve/state/patch_state.h"
 #include "evolve/systems/dense.h"
 #include "solve/graph.h"
 #include "solve/mixed_ldlt.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/systems/angle_jacobian.h"
+#include "energy/angle_jacobian.h"
 #include "evolve/systems/dense.h"
 #include "evolve/systems/positions.h"
 #include "optimize/block.h"

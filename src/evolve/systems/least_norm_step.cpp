@@ -11,7 +11,7 @@ LeastNormStep::LeastNormStep(PatchState& state, std::vector<double> inverse_weig
       pool_(pool),
       inverse_weights_(std::move(inverse_weights)),
       max_step_(max_step),
-      jacobian_(state),
+      jacobian_(angle_jacobian_of(state)),
       dual_(jacobian_, state, precision) {}
 
 Positions LeastNormStep::step_for(const Eigen::VectorXd& angle_change) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "evolve/systems/angle_jacobian.h"
+#include "energy/angle_jacobian.h"
 #include "evolve/systems/dual_system.h"
 #include "evolve/systems/positions.h"
 
@@ -24,7 +24,7 @@ class LeastNormStep {
   DualSystem& dual() { return dual_; }
 
   /// Takes the gradients from where the vertices are now.
-  void update() { jacobian_.update(pool_); }
+  void update() { jacobian_.update(state_.positions(), pool_); }
   /// @return false where the matrix cannot be factored
   bool factor(double mu) { return dual_.factor(inverse_weights_, mu, pool_); }
   /// @pre factor() was true

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/vertex_normal.h"
 
@@ -29,6 +30,18 @@ Positions first_positions(const PatchState& state, std::size_t count) {
   return positions;
 }
 
+Positions all_positions(const PatchState& state) {
+  return first_positions(state, state.vertex_count());
+}
+
+Positions first_origins(const PatchState& state, std::size_t count) {
+  Positions origins;
+  origins.reserve(count);
+  for (std::size_t v = 0; v < count; ++v)
+    origins.push_back(state.origin(v));
+  return origins;
+}
+
 Positions inner_positions(const PatchState& state) {
   return first_positions(state, state.inner_count());
 }
@@ -40,6 +53,18 @@ TriMesh mesh_at_first(const PatchState& state) {
     mesh.positions.push_back((1.0 / state.scale()) * state.origin(v));
   mesh.triangles = state.triangles();
   return mesh;
+}
+
+AngleJacobian angle_jacobian_of(const PatchState& state,
+                                std::span<const unsigned char> border_movable) {
+  // Rows that share a vertex make a dense block of A A^T; a larger one than this is not worth it.
+  constexpr std::size_t most_neighbours = 256;
+  std::vector<std::span<const Index>> rings = rings_by_vertex(state.plan());
+  std::vector<unsigned char> movable;
+  for (Index v = 0; v < rings.size(); ++v)
+    movable.push_back(!state.is_fixed(v) && rings[v].size() <= most_neighbours ? 1 : 0);
+  movable.insert(movable.end(), border_movable.begin(), border_movable.end());
+  return {std::move(rings), std::move(movable)};
 }
 
 Eigen::VectorXd inner_defects(const PatchState& state) {

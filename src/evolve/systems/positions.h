@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <planish/core/vec.h>
 
 #include <Eigen/Core>
 
+#include "energy/angle_jacobian.h"
 #include "evolve/state/patch_state.h"
-#include "evolve/systems/angle_jacobian.h"
 
 namespace planish {
 
@@ -24,13 +25,26 @@ double norm_of(const Positions& a);
 /// Where the vertices before number `count` are.
 Positions first_positions(const PatchState& state, std::size_t count);
 
+/// Where all vertices are.
+Positions all_positions(const PatchState& state);
+
+/// Where the vertices before number `count` were at first.
+Positions first_origins(const PatchState& state, std::size_t count);
+
 /// Where the inner vertices are.
 Positions inner_positions(const PatchState& state);
 
 /// The patch as it was at first, in model units and the numbers of the state.
 TriMesh mesh_at_first(const PatchState& state);
 
-/// Their defects, as of the last measure().
+/// The Jacobian of the angle sums. Vertices that are fixed are held, and those of many hundred
+/// neighbours: each would tie all its neighbours' rows to one another.
+/// @param state must outlive it
+/// @param border_movable by vertex of the border whether it may move; empty: none may
+AngleJacobian angle_jacobian_of(const PatchState& state,
+                                std::span<const unsigned char> border_movable = {});
+
+/// The defects of the inner vertices, as of the last measure().
 Eigen::VectorXd inner_defects(const PatchState& state);
 
 /// Puts the movable vertices there, if all positions are numbers.

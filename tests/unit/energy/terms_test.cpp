@@ -9,6 +9,7 @@
 #include "energy/hinge_bending.h"
 #include "energy/line_bending.h"
 #include "energy/move_barrier.h"
+#include "energy/proximity.h"
 #include "energy/shape_guard.h"
 
 namespace planish {
@@ -172,6 +173,36 @@ TEST(LineBending, IsTheMeanSquareOfSecondDifferences) {
   // 0 0 3, and 0 -3 -6 with nothing at the last one; over 2 x 0.25.
   EXPECT_NEAR(line.value(moves), (9.0 + 9.0 + 36.0) / 0.5, 1e-12);
   EXPECT_EQ(LineBending({}, 0.5).value(moves), 0.0);
+}
+
+TEST(LineBending, HasTheGradientOfDifferenceQuotients) {
+  const LineBending line({{{0, 1, 2}, {0.8, -2.0, 1.2}}, {{1, 2, 9}, {1.0, -2.0, 1.0}}}, 0.5);
+  std::vector<Vec3> moves = {{0.3, -0.2, 0.1}, {0.1, 0.8, 0.2}, {0.0, 0.4, -0.5}};
+  std::vector<Vec3> gradient(moves.size());
+  for (const SecondDifference& difference : line.differences()) {
+    const auto part = line.gradient(difference, moves);
+    Vec3 by_axes;  // of the Hessian
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+      by_axes += line.stiffness() * dot(difference.of(moves), axis) * difference.gradient(axis)[0];
+    expect_near(part[0], by_axes, 1e-12);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (difference.vertices[k] < moves.size()) gradient[difference.vertices[k]] += part[k];
+    }
+  }
+  const auto value = [&] { return line.value(moves); };
+  for (Index v = 0; v < moves.size(); ++v)
+    expect_near(gradient[v], slope_of(value, v, moves), 1e-8);
+}
+
+TEST(Proximity, HasTheDerivativesOfDifferenceQuotients) {
+  const Proximity proximity({1.0, 3.0});
+  std::vector<Vec3> moves = {{0.3, -0.2, 0.1}, {0.1, 0.8, 0.2}};
+  EXPECT_NEAR(Proximity({1.0, 1.0}).value({{0.5, 0, 0}, {0, 0, 0.5}}, 0.5), 1.0, 1e-15);
+  const auto value = [&] { return proximity.value(moves, 0.4); };
+  for (Index v = 0; v < moves.size(); ++v) {
+    EXPECT_GT(proximity.stiffness(v, 0.4), 0.0);
+    expect_near(proximity.stiffness(v, 0.4) * moves[v], slope_of(value, v, moves), 1e-8);
+  }
 }
 
 }  // namespace

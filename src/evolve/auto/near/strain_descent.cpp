@@ -65,10 +65,11 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       limits_(limits),
       triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
-      jacobian_(state, border_.movable()),
-      potential_(jacobian_, state, pool, pattern_border(aims)),
+      jacobian_(angle_jacobian_of(state, border_.movable())),
+      potential_(jacobian_, all_positions(state), pool, pattern_border(aims),
+                 potential_precision(state.inner_count())),
       phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
-      area_shares_(area_shares(state)),
+      area_shares_(area_shares(triangles_, first_origins(state, state.vertex_count()))),
       at_first_(strain_now()),
       stays_(std::min(1.0, aims.strain.share_of(at_first_))),
       pace_(pace_for(aims, limits, stays_, relative_density(state))),
@@ -82,8 +83,10 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
   for_entries_of(cost_.hessian(), [this](Index v, Index w, double) {
     system_.append_pairs(std::array{v, w}, cost_pairs_);
   });
-  if (potential_.border() == BoundaryCondition::free)
-    potential_.set_boundary_compliance(ease_for(stays_), pool);
+  if (potential_.border() == BoundaryCondition::free) {
+    potential_.set_boundary_compliance(ease_for(stays_));
+    potential_.update(all_positions(state), pool);
+  }
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
 }
@@ -118,7 +121,8 @@ void StrainDescent::update_strain() {
   state_.measure(pool_);
   // With K of the initial surface the estimate can be gamed: steps then lower it without lowering
   // the strain of the pattern. So K follows the surface.
-  if (potential_.border() == BoundaryCondition::free) potential_.update(pool_);
+  if (potential_.border() == BoundaryCondition::free)
+    potential_.update(all_positions(state_), pool_);
   if (potential_.solvable())
     phi_ = potential_.of(inner_defects(state_), pool_);
   else
@@ -165,7 +169,7 @@ std::vector<Vec3> StrainDescent::directions() const {
 }
 
 Positions StrainDescent::newton_step() {
-  jacobian_.update(pool_);
+  jacobian_.update(state_.positions(), pool_);
   const Positions x = positions(), force = sum_of(Positions(x.size()), -1.0, cost_.gradient(x));
   system_.clear(directions(), cost_.unit());
   const BlockMatrix::Pair* pair = cost_pairs_.data();

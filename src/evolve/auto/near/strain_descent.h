@@ -3,15 +3,15 @@
 #include <limits>
 #include <vector>
 
+#include "energy/angle_jacobian.h"
+#include "energy/strain_potential.h"
 #include "evolve/auto/near/closeness_control.h"
 #include "evolve/auto/near/tangential_relaxation.h"
 #include "evolve/auto/shared/border_motion.h"
 #include "evolve/auto/shared/descent_limits.h"
 #include "evolve/auto/shared/fairness_energy.h"
-#include "evolve/auto/shared/strain_potential.h"
 #include "evolve/auto/shared/surface_strain_limit.h"
 #include "evolve/auto/shared/tuning.h"
-#include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 

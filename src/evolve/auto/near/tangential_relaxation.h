@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "energy/angle_jacobian.h"
 #include "evolve/state/patch_state.h"
-#include "evolve/systems/angle_jacobian.h"
 
 namespace planish {
 

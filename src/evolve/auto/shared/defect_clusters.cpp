@@ -10,7 +10,6 @@
 #include "evolve/auto/shared/tuning.h"
 #include "evolve/systems/dual_system.h"
 #include "evolve/systems/positions.h"
-#include "geometry/angle_between.h"
 #include "geometry/smallest_angle.h"
 
 namespace planish {
@@ -98,7 +97,7 @@ class ClusterSteps {
   bool step() {
     if (std::all_of(progress_.begin(), progress_.end(), [](const Progress& p) { return p.over; }))
       return false;
-    jacobian_.update(pool_);
+    jacobian_.update(state_.positions(), pool_);
     measure();
     if (!dual_.factor_with(inverse_weights_, damping(), pool_)) return false;
     const Positions moves = jacobian_.transposed_times(dual_.solve(defects_, pool_), pool_);
@@ -121,24 +120,12 @@ class ClusterSteps {
     return movable;
   }
 
-  double defect_at(Index v) const {
-    const Vec3 p = state_.position(v);
-    const auto ring = whole_.ring(v);
-    Vec3 last = state_.position(ring.back()) - p;
-    double sum = 0.0;
-    for (const Index w : ring) {
-      const Vec3 next = state_.position(w) - p;
-      sum += angle_between(last, next);
-      last = next;
-    }
-    return 2.0 * std::numbers::pi - sum;
-  }
-
   /// Takes the defects of all rows. @return the energy of each cluster
   std::vector<double> measure() {
     pool_.for_ranges(clusters_.rows.size(), 512, [this](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
-        defects_[static_cast<Eigen::Index>(row)] = defect_at(clusters_.rows[row]);
+        defects_[static_cast<Eigen::Index>(row)] =
+            2.0 * std::numbers::pi - whole_.angle_sum(clusters_.rows[row], state_.positions());
     });
     std::vector<double> energies(clusters_.count, 0.0);
     for (std::size_t row = 0; row < clusters_.rows.size(); ++row) {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/thread_pool.h"
+#include "energy/angle_jacobian.h"
 #include "evolve/auto/shared/descent_limits.h"
 #include "evolve/state/patch_state.h"
-#include "evolve/systems/angle_jacobian.h"
 
 namespace planish {
 

@@ -17,13 +17,6 @@ namespace {
 
 constexpr double k_spread_accuracy = 1e-6;  // on dense patches
 
-Positions positions_at_first(const PatchState& state, std::size_t count) {
-  Positions positions;
-  for (std::size_t v = 0; v < count; ++v)
-    positions.push_back(state.origin(v));
-  return positions;
-}
-
 /// The border's weigh more: it is the design's line, and where it may move, bending alone would
 /// straighten it early and for good. Sums along it go with the edges, those over the surface with
 /// their square.
@@ -94,7 +87,7 @@ FairnessEnergy::FairnessEnergy(const AngleJacobian& jacobian, const PatchState& 
     : jacobian_(jacobian),
       state_(state),
       unit_(mean_edge(jacobian, state)),
-      origin_(positions_at_first(state, jacobian.column_count())),
+      origin_(first_origins(state, jacobian.column_count())),
       pull_(pulls(state, jacobian.column_count(), closeness)),
       rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)),
       bends_(weighed(std::move(bends), state)) {

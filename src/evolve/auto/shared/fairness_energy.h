@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "energy/angle_jacobian.h"
 #include "evolve/auto/shared/border_motion.h"
-#include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/positions.h"
 #include "solve/sparse_ldlt.h"
 

@@ -18,19 +18,17 @@ using namespace tuning::prefer_smooth;
 
 namespace {
 
-/// Where the vertices of the patch were at first, from the middle of its area.
-Positions places_from_middle(const PatchState& state, const Eigen::VectorXd& area_shares) {
+/// From the middle of the area.
+Positions from_middle_of(Positions places, const Eigen::VectorXd& area_shares) {
   const auto mean = [&](double Vec3::*coordinate) {
     NeumaierSum sum;
-    for (std::size_t v = 0; v < state.vertex_count(); ++v)
-      sum.add(area_shares[static_cast<Eigen::Index>(v)] * (state.origin(v).*coordinate));
+    for (std::size_t v = 0; v < places.size(); ++v)
+      sum.add(area_shares[static_cast<Eigen::Index>(v)] * (places[v].*coordinate));
     return sum.value();
   };
   const Vec3 middle = {mean(&Vec3::x), mean(&Vec3::y), mean(&Vec3::z)};
-  Positions places;
-  places.reserve(state.vertex_count());
-  for (std::size_t v = 0; v < state.vertex_count(); ++v)
-    places.push_back(state.origin(v) - middle);
+  for (Vec3& place : places)
+    place = place - middle;
   return places;
 }
 
@@ -65,18 +63,6 @@ double bending_to_compare(const Patch& design, const ThreadPool& pool) {
   return bending;
 }
 
-Positions all_positions(const PatchState& state) {
-  return first_positions(state, state.vertex_count());
-}
-
-Positions origins(const PatchState& state) {
-  Positions origins;
-  origins.reserve(state.vertex_count());
-  for (std::size_t v = 0; v < state.vertex_count(); ++v)
-    origins.push_back(state.origin(v));
-  return origins;
-}
-
 /// Over inner vertices and over those of the border, each the mean.
 MoveBarrier barrier_of(const DescentLimits& limits, const BorderMotion& border,
                        std::size_t inner_count) {
@@ -93,6 +79,13 @@ MoveBarrier barrier_of(const DescentLimits& limits, const BorderMotion& border,
   return {std::move(reach), std::move(counts)};
 }
 
+std::vector<double> weights_of(const PatchState& state, std::size_t count) {
+  std::vector<double> weights;
+  for (std::size_t v = 0; v < count; ++v)
+    weights.push_back(state.weight(v));
+  return weights;
+}
+
 }  // namespace
 
 SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
@@ -103,22 +96,23 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       limits_(limits),
       along_lines_(moves == SmoothMoves::along_lines),
       border_(limits.border, limits.deviation, state),
-      jacobian_(state, border_.movable()),
-      hinges_(design, origins(state), design_bending_),
-      guard_(state.triangles(), origins(state), limits.angle),
-      potential_(jacobian_, state, pool, BoundaryCondition::free),
+      origin_(first_origins(state, state.vertex_count())),
+      jacobian_(angle_jacobian_of(state, border_.movable())),
+      hinges_(design, origin_, design_bending_),
+      proximity_(weights_of(state, border_.vertex_count())),
+      guard_(state.triangles(), origin_, limits.angle),
+      potential_(jacobian_, all_positions(state), pool, BoundaryCondition::free,
+                 potential_precision(state.inner_count())),
       system_(jacobian_, state, pairs_of_terms(), potential_.square(),
               {.inner = along_lines_ ? 1 : 3}, step_precision(jacobian_.row_count()), pool),
-      area_shares_(area_shares(state)),
+      area_shares_(area_shares(guard_.triangles(), origin_)),
       unit_(mean_edge(jacobian_, state)),
       barrier_(barrier_of(limits, border_, state.inner_count())),
       border_bending_(border_.bends(), k_border_bend * unit_) {
-  const Positions from_middle = places_from_middle(state, area_shares_);
+  const Positions from_middle = from_middle_of(origin_, area_shares_);
   diagonal_ = diagonal_of(from_middle, area_shares_);
   axis_ = long_axis(from_middle);
-  origin_.reserve(jacobian_.column_count());
-  for (std::size_t v = 0; v < jacobian_.column_count(); ++v)
-    origin_.push_back(state.origin(v));
+  origin_.resize(jacobian_.column_count());
   hinge_pairs_.reserve(6 * hinges_.size());
   for (std::size_t h = 0; h < hinges_.size(); ++h)
     system_.append_pairs(hinges_.stencil(h), hinge_pairs_);
@@ -133,10 +127,8 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
 KktSystem::ForPairs SmoothDescent::pairs_of_terms() const {
   return [this](const BlockMatrix::VisitPair& visit) {
     const auto visit_all = [&](const auto& vertices) {
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
-        for (std::size_t j = i + 1; j < vertices.size(); ++j)
-          visit(vertices[i], vertices[j]);
-      }
+      BlockMatrix::for_each_pair(
+          vertices.size(), [&](std::size_t i, std::size_t j) { visit(vertices[i], vertices[j]); });
     };
     for (std::size_t h = 0; h < hinges_.size(); ++h)
       visit_all(hinges_.stencil(h));
@@ -147,19 +139,11 @@ KktSystem::ForPairs SmoothDescent::pairs_of_terms() const {
   };
 }
 
-double SmoothDescent::closeness() const {
-  const double length = weights_.delta * diagonal_;
-  return 1.0 / (static_cast<double>(origin_.size()) * length * length);
-}
-
 double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
-  const Positions x = all_positions(state_), moves = sum_of(positions(), -1.0, origin_);
-  NeumaierSum away;
-  for (std::size_t v = 0; v < moves.size(); ++v)
-    away.add(state_.weight(v) * dot(moves[v], moves[v]));
+  const Positions x = all_positions(state_), u = moves();
   const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
-  return hinges_.value(x, pool_, weights_.form) + closeness() * away.value() +
-         guard_.value(x, pool_) + barrier_.value(moves) + border_bending_.value(moves) +
+  return hinges_.value(x, pool_, weights_.form) + proximity_.value(u, weights_.delta * diagonal_) +
+         guard_.value(x, pool_) + barrier_.value(u) + border_bending_.value(u) +
          strain / (weights_.sigma * weights_.sigma);
 }
 
@@ -177,9 +161,9 @@ SmoothDescent::Parts SmoothDescent::at(const Positions& positions) {
 
 void SmoothDescent::renew() {
   state_.measure(pool_);
-  potential_.update(pool_);
-  if (!potential_.solvable()) return;
   const Positions x = all_positions(state_);
+  potential_.update(x, pool_);
+  if (!potential_.solvable()) return;
   hinges_.set_weights(x, pool_);
   phi_ = potential_.of(inner_defects(state_), pool_);
   strain_ = {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))),
@@ -194,10 +178,8 @@ void SmoothDescent::go_to(const Positions& positions) {
 
 double SmoothDescent::deviation() const {
   NeumaierSum away;
-  for (std::size_t v = 0; v < origin_.size(); ++v) {
-    const Vec3 move = state_.position(v) - origin_[v];
+  for (const Vec3 move : moves())
     away.add(dot(move, move));
-  }
   return std::sqrt(away.value()) / (std::sqrt(static_cast<double>(origin_.size())) * diagonal_);
 }
 
@@ -222,80 +204,46 @@ Positions SmoothDescent::lines(Way way) const {
   return lines;
 }
 
-/// @param force minus the gradient of F without phi
+/// Of F without phi.
+/// @param force minus the gradient
 void SmoothDescent::assemble(std::optional<Way> way, Positions& force) {
   system_.clear(way ? lines(*way) : Positions{});
   assemble_shape(force);
-  assemble_positions(force);
   assemble_moves(force);
 }
 
 /// Of hinges, edges and corners.
 void SmoothDescent::assemble_shape(Positions& force) {
   const Positions x = all_positions(state_);
-  const double stiff = 1.0 + stiffening_;
-  const auto pull = [&](const auto& part) {
+  const auto add = [&](const auto& part, auto... pairs) {
+    system_.add_term(part.vertices, pairs..., (1.0 + stiffening_) * part.second, part.gradient);
     for (std::size_t k = 0; k < part.vertices.size(); ++k) {
       if (part.vertices[k] < force.size())
         force[part.vertices[k]] += -part.first * part.gradient[k];
     }
   };
-  for (std::size_t h = 0; h < hinges_.size(); ++h) {
-    const Summand<4> part = hinges_.summand(h, x, weights_.form);
-    system_.add_term(part.vertices, hinge_pairs_.data() + 6 * h, stiff * part.second,
-                     part.gradient);
-    pull(part);
-  }
-  for (std::size_t e = 0; e < guard_.edge_count(); ++e) {
-    const Summand<2> part = guard_.edge_summand(e, x);
-    system_.add_term(part.vertices, edge_pairs_.data() + e, stiff * part.second, part.gradient);
-    pull(part);
-  }
+  for (std::size_t h = 0; h < hinges_.size(); ++h)
+    add(hinges_.summand(h, x, weights_.form), hinge_pairs_.data() + 6 * h);
+  for (std::size_t e = 0; e < guard_.edge_count(); ++e)
+    add(guard_.edge_summand(e, x), edge_pairs_.data() + e);
   for (std::size_t c = 0; c < guard_.corner_count(); ++c) {
-    const Summand<3> part = guard_.corner_summand(c, x);
-    if (part.second == 0.0) continue;
-    system_.add_term(part.vertices, stiff * part.second, part.gradient);
-    pull(part);
+    if (const Summand<3> part = guard_.corner_summand(c, x); part.second != 0.0) add(part);
   }
 }
 
-/// What slows moves near their limits, and keeps those of the border smooth.
+/// What pulls vertices to where they were, slows them near their limits, holds them along the
+/// surface, or the border where they slide, and keeps moves of the border smooth.
 void SmoothDescent::assemble_moves(Positions& force) {
-  const double stiff = 1.0 + stiffening_;
-  const Positions moves = sum_of(positions(), -1.0, origin_);
-  for (Index v = 0; v < moves.size(); ++v) {
-    const MoveBarrier::Derivatives part = barrier_.derivatives(v, moves[v], stiff);
-    force[v] += -1.0 * part.gradient;
-    system_.add_vertex(v, part.hessian);
-  }
-  const double weight = 2.0 * border_bending_.weight();
-  for (const SecondDifference& difference : border_bending_.differences()) {
-    const Vec3 f = difference.of(moves);
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-      std::array<Vec3, 3> gradient;
-      for (std::size_t j = 0; j < 3; ++j)
-        gradient[j] = difference.weights[j] * axis;
-      system_.add_term(difference.vertices, stiff * weight, gradient);
-    }
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Index v = difference.vertices[j];
-      if (v < force.size()) force[v] += -weight * difference.weights[j] * f;
-    }
-  }
-}
-
-/// What pulls vertices to where they were, and what holds them along the surface, or the border
-/// where they slide.
-void SmoothDescent::assemble_positions(Positions& force) {
-  const double stiff = 1.0 + stiffening_, close = 2.0 * closeness();
+  const double stiff = 1.0 + stiffening_, delta = weights_.delta * diagonal_;
   const double slide =
       stiff * 2.0 /
       (static_cast<double>(origin_.size()) * (k_slide * diagonal_) * (k_slide * diagonal_));
   const double off_curve = k_off_curve * slide;
-  for (Index v = 0; v < force.size(); ++v) {
+  const Positions u = moves();
+  for (Index v = 0; v < u.size(); ++v) {
     const bool inner = state_.is_inner(v), slides = !inner && border_.direction_count() == 1;
-    const double pull = close * state_.weight(v);
-    force[v] += -pull * (state_.position(v) - origin_[v]);
+    const double pull = proximity_.stiffness(v, delta);
+    force[v] += -pull * u[v];
     const double own = stiff * pull, held = slides ? off_curve : slide;
     // Where a border moves freely, it is held in all directions alike.
     const Vec3 n = inner    ? normal_at(v, jacobian_, state_)
@@ -304,6 +252,18 @@ void SmoothDescent::assemble_positions(Positions& force) {
     system_.add_vertex(
         v, {own + held * (1.0 - n.x * n.x), -held * n.x * n.y, -held * n.x * n.z,
             own + held * (1.0 - n.y * n.y), -held * n.y * n.z, own + held * (1.0 - n.z * n.z)});
+    const MoveBarrier::Derivatives part = barrier_.derivatives(v, u[v], stiff);
+    force[v] += -1.0 * part.gradient;
+    system_.add_vertex(v, part.hessian);
+  }
+  for (const SecondDifference& difference : border_bending_.differences()) {
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+      system_.add_term(difference.vertices, stiff * border_bending_.stiffness(),
+                       difference.gradient(axis));
+    const std::array<Vec3, 3> gradient = border_bending_.gradient(difference, u);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (difference.vertices[k] < force.size()) force[difference.vertices[k]] += -gradient[k];
+    }
   }
 }
 
@@ -375,7 +335,7 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   const Positions before = positions();
   Step result;
   result.merit = result.merit_before = merit(phi_);
-  jacobian_.update(pool_);
+  jacobian_.update(state_.positions(), pool_);
   Positions force(before.size());
   assemble(way, force);
   const double c = 0.5 * static_cast<double>(phi_.size()) * weights_.sigma * weights_.sigma;
@@ -400,7 +360,7 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   if (result.moved == 0) set_positions(before, jacobian_, state_);
   if (along_lines_) system_.release();
   renew();
-  at_deviation_limit_ = barrier_.is_reached(sum_of(positions(), -1.0, origin_));
+  at_deviation_limit_ = barrier_.is_reached(moves());
   stiffening_ = k_damping.after(taken, stiffening_);
   return result;
 }

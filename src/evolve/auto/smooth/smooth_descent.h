@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "core/thread_pool.h"
+#include "energy/angle_jacobian.h"
 #include "energy/hinge_bending.h"
 #include "energy/line_bending.h"
 #include "energy/move_barrier.h"
+#include "energy/proximity.h"
 #include "energy/shape_guard.h"
+#include "energy/strain_potential.h"
 #include "evolve/auto/shared/border_motion.h"
 #include "evolve/auto/shared/descent_limits.h"
-#include "evolve/auto/shared/strain_potential.h"
 #include "evolve/auto/shared/surface_strain_limit.h"
-#include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 
@@ -36,10 +37,10 @@ struct SmoothWeights {
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
 /// B the bending of HingeBending, from a share of the angles of the design, B0 that of the design
-/// from flat, n the vertices x has, so the border's too where it may move, D the diagonal (of a
-/// rectangle that is as far spread), G of ShapeGuard, MoveBarrier and LineBending, phi the N values
-/// of StrainPotential with a free border. The weights of hinges and the matrix K of phi are those
-/// of the patch before a step, renewed after it.
+/// from flat, the second term that of Proximity, n the vertices x has, so the border's too where it
+/// may move, D the diagonal (of a rectangle that is as far spread), G of ShapeGuard, MoveBarrier
+/// and LineBending, phi the N values of StrainPotential with a free border. The weights of hinges
+/// and the matrix K of phi are those of the patch before a step, renewed after it.
 class SmoothDescent {
  public:
   /// @param state as it was at first or later; must outlive it, as must the pool
@@ -97,12 +98,13 @@ class SmoothDescent {
   Parts at(const Positions& positions);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();
+  /// Of all vertices that may move, from where they were at first.
+  Positions moves() const { return sum_of(positions(), -1.0, origin_); }
   Positions lines(Way way) const;
   Step step_along(std::optional<Way> way);
   void assemble(std::optional<Way> way, Positions& force);
   bool factor_system(double c);
   void assemble_shape(Positions& force);
-  void assemble_positions(Positions& force);
   void assemble_moves(Positions& force);
   Positions within_limits(Positions positions) const;
   bool angles_hold();
@@ -112,7 +114,6 @@ class SmoothDescent {
   };
   Trial try_step(const Positions& before, const Eigen::VectorXd& defects, const Positions& full,
                  double share, bool corrected);
-  double closeness() const;
   Positions shortened(Positions step) const;
 
   PatchState& state_;
@@ -121,13 +122,14 @@ class SmoothDescent {
   DescentLimits limits_;
   bool along_lines_;
   BorderMotion border_;
+  Positions origin_;
   AngleJacobian jacobian_;
   HingeBending hinges_;
+  Proximity proximity_;
   ShapeGuard guard_;
   StrainPotential potential_;
   KktSystem system_;
   std::vector<BlockMatrix::Pair> hinge_pairs_, edge_pairs_;
-  Positions origin_;
   Eigen::VectorXd area_shares_;
   double diagonal_ = 0.0, unit_;
   Vec3 axis_;  // from the middle of the patch to the vertex that is furthest away

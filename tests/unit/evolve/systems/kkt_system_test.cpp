@@ -21,8 +21,8 @@ struct PatchWithJacobian {
       : mesh(make_shape("panel", 150)),
         surface(mesh),
         state(surface, pool, constraints),
-        jacobian(state) {
-    jacobian.update(pool);
+        jacobian(angle_jacobian_of(state)) {
+    jacobian.update(state.positions(), pool);
     const auto n = static_cast<Eigen::Index>(state.inner_count());
     dense = MatrixXd::Zero(n, 3 * n);
     for (Index v = 0; v < state.inner_count(); ++v) {

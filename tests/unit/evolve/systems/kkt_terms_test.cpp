@@ -10,7 +10,7 @@
 
 #include "energy/hinge_bending.h"
 #include "energy/shape_guard.h"
-#include "evolve/auto/shared/strain_potential.h"
+#include "energy/strain_potential.h"
 #include "evolve/systems/kkt_system.h"
 
 namespace planish {
@@ -103,12 +103,12 @@ void expect_solved_as_dense(const Constraints& constraints,
   const Patch patch(mesh);
   ThreadPool pool(1);
   const PatchState state(patch, pool, constraints);
-  AngleJacobian jacobian(state, border_movable);
-  jacobian.update(pool);
+  AngleJacobian jacobian = angle_jacobian_of(state, border_movable);
+  jacobian.update(state.positions(), pool);
   const Positions x = first_positions(state, state.vertex_count());
   const HingeBending hinges(Patch(mesh_at_first(state)), x, 1.0);
   const ShapeGuard guard(state.triangles(), x, 0.05);
-  StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
+  StrainPotential potential(jacobian, x, pool, BoundaryCondition::free);
   const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for (std::size_t h = 0; h < hinges.size(); ++h) {
       const auto& corners = hinges.stencil(h);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "evolve/auto/shared/smallest_angle.h"
+#include "evolve/systems/positions.h"
 #include "unit/evolve/auto/shared/flattened_panel.h"
 
 namespace planish {
@@ -28,7 +29,9 @@ TriMesh panel_with_bumps() {
 
 struct Bumps {
   explicit Bumps(const Constraints& constraints = {})
-      : mesh(panel_with_bumps()), state(Patch(mesh), pool, constraints), jacobian(state) {
+      : mesh(panel_with_bumps()),
+        state(Patch(mesh), pool, constraints),
+        jacobian(angle_jacobian_of(state)) {
     state.measure(pool);
     for (std::size_t v = 0; v < state.inner_count(); ++v)
       before.push_back(state.position(v));
@@ -188,7 +191,7 @@ TEST(DefectClusters, MoveNothingOfWhatIsFlat) {
     p.z = 0.0;
   ThreadPool pool(1);
   PatchState state{Patch(flat), pool};
-  const AngleJacobian jacobian(state);
+  const AngleJacobian jacobian = angle_jacobian_of(state);
   state.measure(pool);
   const std::vector<double> weights(state.inner_count(), 1.0);
   reduce_largest_defects(state, jacobian, weights, {}, pool);

@@ -1,12 +1,10 @@
-#include "evolve/auto/shared/strain_potential.h"
+#include "energy/strain_potential.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/neumaier_sum.h"
-#include "evolve/systems/dense.h"
-#include "evolve/systems/positions.h"
 #include "geometry/cotangents.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
@@ -20,10 +18,8 @@ constexpr std::size_t k_grain = 512;
 constexpr double k_accuracy = 1e-8;  // of chi, on dense patches
 
 /// K without values.
-SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
-                        BoundaryCondition border) {
+SparseMatrix pattern_of(const AngleJacobian& jacobian, std::size_t rows) {
   const std::size_t n = jacobian.row_count();
-  const std::size_t rows = border == BoundaryCondition::free ? state.vertex_count() : n;
   return sparse_matrix(rows, n, [&](const auto& add) {
     for (Index v = 0; v < n; ++v) {
       add(v, v, 0.0);
@@ -61,26 +57,25 @@ double dot_of_columns(const SparseMatrix& matrix, int a, int b) {
 
 }  // namespace
 
-StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state,
-                                 ThreadPool& pool, BoundaryCondition border)
+StrainPotential::StrainPotential(const AngleJacobian& jacobian, std::span<const Vec3> x,
+                                 ThreadPool& pool, BoundaryCondition border, Precision precision)
     : jacobian_(jacobian),
-      state_(state),
       border_(border),
-      stiffness_(pattern_of(jacobian, state, border)) {
-  const auto n = static_cast<int>(stiffness_.cols());
+      stiffness_(pattern_of(jacobian,
+                            border == BoundaryCondition::free ? x.size() : jacobian.row_count())) {
+  const std::size_t n = jacobian.row_count();
   if (n == 0) return;
-  fill(pool);
+  fill(x, pool);
   const SparseMatrix square = SparseMatrix(stiffness_.transpose()) * stiffness_;
   square_ = square.triangularView<Eigen::Lower>();
   pool.stop_if_cancelled();
   const bool free = border == BoundaryCondition::free;
-  solver_.emplace(matrix(),
-                  nested_dissection(inner_positions(state), graph_of(free ? square : stiffness_)),
-                  is_dense(jacobian.row_count()) ? Precision::rounded : Precision::full, &pool);
+  solver_.emplace(matrix(), nested_dissection(x.first(n), graph_of(free ? square : stiffness_)),
+                  precision, &pool);
   solvable_ = solver_->factor(matrix(), pool);
 }
 
-void StrainPotential::fill(ThreadPool& pool) {
+void StrainPotential::fill(std::span<const Vec3> x, ThreadPool& pool) {
   double* values = stiffness_.valuePtr();
   const double at_border = std::sqrt(ease_);
   pool.for_ranges(jacobian_.row_count(), k_grain, [&](std::size_t begin, std::size_t end) {
@@ -88,17 +83,18 @@ void StrainPotential::fill(ThreadPool& pool) {
     for (std::size_t v = begin; v < end; ++v) {
       ring.clear();
       for (const Index w : jacobian_.ring(static_cast<Index>(v)))
-        ring.push_back(state_.position(w));
+        ring.push_back(x[w]);
       const int column = static_cast<int>(v);
       double& own = values[place_in_column(stiffness_, column, column)] = 0.0;
-      const std::vector<double> weights = cotangent_weights(state_.position(v), ring);
+      const std::vector<double> weights = cotangent_weights(x[v], ring);
       const auto neighbours = jacobian_.ring(static_cast<Index>(v));
       for (std::size_t j = 0; j < weights.size(); ++j) {
         own += weights[j];
         const std::size_t place =
             place_in_column(stiffness_, static_cast<int>(neighbours[j]), column);
         if (place == k_nowhere) continue;
-        values[place] = state_.is_inner(neighbours[j]) ? -weights[j] : -at_border * weights[j];
+        values[place] =
+            neighbours[j] < jacobian_.row_count() ? -weights[j] : -at_border * weights[j];
       }
     }
   });
@@ -113,14 +109,9 @@ void StrainPotential::take_square(ThreadPool& pool) {
   });
 }
 
-void StrainPotential::set_boundary_compliance(double ease, ThreadPool& pool) {
-  ease_ = ease;
-  update(pool);
-}
-
-void StrainPotential::update(ThreadPool& pool) {
+void StrainPotential::update(std::span<const Vec3> x, ThreadPool& pool) {
   if (!solver_) return;
-  fill(pool);
+  fill(x, pool);
   take_square(pool);
   factor(pool);
 }
@@ -139,11 +130,10 @@ Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& 
   return stiffness_ * solution;
 }
 
-Eigen::VectorXd area_shares(const PatchState& state) {
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.vertex_count()));
-  for (const Triangle& t : state.triangles()) {
-    const Vec3 a = state.origin(t[0]);
-    const double area = norm(cross(state.origin(t[1]) - a, state.origin(t[2]) - a));
+Eigen::VectorXd area_shares(std::span<const Triangle> triangles, std::span<const Vec3> x) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(x.size()));
+  for (const Triangle& t : triangles) {
+    const double area = norm(cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]));
     for (const Index v : t)
       shares[static_cast<Eigen::Index>(v)] += area;
   }

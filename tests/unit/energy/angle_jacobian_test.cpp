@@ -1,4 +1,6 @@
-#include "evolve/systems/angle_jacobian.h"
+#include "energy/angle_jacobian.h"
+
+#include <utility>
 
 #include <planish/mesh/shapes.h>
 
@@ -6,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "evolve/systems/dual_system.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 namespace {
 
 struct Panel {
-  Panel() : state(Patch(make_shape("panel", 300)), pool), whole(state) {
-    whole.update(pool);
+  Panel() : state(Patch(make_shape("panel", 300)), pool), whole(angle_jacobian_of(state)) {
+    whole.update(state.positions(), pool);
     for (Index v = 40; v < 120; v += (v % 3) + 1)
       rows.push_back(v);
     movable.assign(state.inner_count(), 0);
@@ -39,10 +42,32 @@ struct Panel {
   std::vector<unsigned char> movable;
 };
 
+TEST(AngleJacobian, HasTheGradientsOfDifferenceQuotients) {
+  const Panel panel;
+  std::vector<Vec3> x = all_positions(panel.state);
+  const auto at = [&](Index v) { return x[v]; };
+  constexpr double h = 1e-6;
+  for (Index v = 20; v < 40; ++v) {
+    for (const AngleJacobian::Entry& entry : panel.whole.column(v)) {
+      const Vec3 gradient = panel.whole.gradient(entry.entry), from = x[v];
+      for (const auto& [axis, slope] :
+           {std::pair{Vec3{1, 0, 0}, gradient.x}, std::pair{Vec3{0, 1, 0}, gradient.y},
+            std::pair{Vec3{0, 0, 1}, gradient.z}}) {
+        x[v] = from + h * axis;
+        const double above = panel.whole.angle_sum(entry.row, at);
+        x[v] = from - h * axis;
+        const double below = panel.whole.angle_sum(entry.row, at);
+        EXPECT_NEAR(slope, (above - below) / (2.0 * h), 1e-6 * (1.0 + norm(gradient)));
+      }
+      x[v] = from;
+    }
+  }
+}
+
 TEST(AngleJacobianPart, HasTheEntriesOfTheWhole) {
   Panel panel;
   AngleJacobian part = panel.whole.part(panel.rows, panel.movable);
-  part.update(panel.pool);
+  part.update(panel.state.positions(), panel.pool);
   ASSERT_EQ(part.row_count(), panel.rows.size());
   const Eigen::MatrixXd whole = panel.dense(panel.whole), dense = panel.dense(part);
   for (Index row = 0; row < part.row_count(); ++row) {
@@ -59,7 +84,7 @@ TEST(AngleJacobianPart, HasTheEntriesOfTheWhole) {
 TEST(AngleJacobianPart, IsSolvedWithADampingForEachRow) {
   Panel panel;
   AngleJacobian part = panel.whole.part(panel.rows, panel.movable);
-  part.update(panel.pool);
+  part.update(panel.state.positions(), panel.pool);
   const auto n = static_cast<Eigen::Index>(panel.rows.size());
   Eigen::VectorXd scales(3 * static_cast<Eigen::Index>(panel.state.inner_count()));
   std::vector<double> inverse_weights, damping;

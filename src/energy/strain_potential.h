@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <span>
+
+#include <planish/mesh/tri_mesh.h>
 
 #include "core/thread_pool.h"
-#include "evolve/systems/angle_jacobian.h"
+#include "energy/angle_jacobian.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
@@ -15,30 +17,38 @@ enum class BoundaryCondition {
   free,       ///< as of what is cut from sheet
 };
 
-/// phi with K phi = d at the inner vertices: K the stiffness matrix of cotangents, d the angle
-/// defects. To first order e^phi is by how much a conformal pattern stretches (Ben-Chen and others
-/// 2008), so unlike the energy it does not depend on the density of the mesh. phi at the border is
+/// phi with
+///
+///     K phi = d
+///
+/// at the inner vertices: K the stiffness matrix of cotangents, d the angle defects
+/// (docs/methods/smooth.md, docs/methods/auto.md). To first order e^phi is by how much a conformal
+/// pattern stretches (Ben-Chen and others 2008), so unlike the energy it does not depend on the
+/// density of the mesh. phi at the border is
 ///
 /// - dirichlet: 0, so there is one such phi. A system of K, the metric that of the patch at first.
 /// - free: such that |phi| is smallest, phi = K^T (K K^T)^-1 d. Then it tells the strain of the
 ///   pattern of least stretch: see edge_strain_of().
 class StrainPotential {
  public:
-  /// Takes K from the patch as it is: positive definite, as of finite elements, where each part of
-  /// the patch has a border.
-  /// @param jacobian,state must outlive it
-  StrainPotential(const AngleJacobian& jacobian, const PatchState& state, ThreadPool& pool,
-                  BoundaryCondition border);
+  /// Takes K from a surface: positive definite, as of finite elements, where each part of it has a
+  /// border.
+  /// @param jacobian has the rings of the inner vertices; must outlive it
+  /// @param x the positions of all vertices, inner ones first
+  /// @param precision in which K is factored
+  StrainPotential(const AngleJacobian& jacobian, std::span<const Vec3> x, ThreadPool& pool,
+                  BoundaryCondition border, Precision precision = Precision::full);
 
   /// False where K or its square cannot be factored.
   bool solvable() const { return solvable_; }
   BoundaryCondition border() const { return border_; }
-  /// From now on squares of phi at a free border count divided by this, as if it were stiffer. It
-  /// is then phi over the root of this that of() gives there: strain is told too large, if at all.
+  /// From the next update on squares of phi at a free border count divided by this, as if it were
+  /// stiffer. It is then phi over the root of this that of() gives there: strain is told too large,
+  /// if at all.
   /// @param ease above 0, at most 1: as at first
-  void set_boundary_compliance(double ease, ThreadPool& pool);
-  /// Takes K from the patch as it is now.
-  void update(ThreadPool& pool);
+  void set_boundary_compliance(double ease) { ease_ = ease; }
+  /// Takes K from a surface with other positions.
+  void update(std::span<const Vec3> x, ThreadPool& pool);
   /// Frees the factor, until it is made again, by factor() or update().
   void release();
   /// Factors the K of the last update.
@@ -57,11 +67,10 @@ class StrainPotential {
   const SparseMatrix& matrix() const {
     return border_ == BoundaryCondition::free ? square_ : stiffness_;
   }
-  void fill(ThreadPool& pool);
+  void fill(std::span<const Vec3> x, ThreadPool& pool);
   void take_square(ThreadPool& pool);
 
   const AngleJacobian& jacobian_;
-  const PatchState& state_;
   BoundaryCondition border_;
   double ease_ = 1.0;
   SparseMatrix stiffness_, square_;  // K^T, K K^T
@@ -76,7 +85,7 @@ class StrainPotential {
 /// direction, has 3/8 of it in the mean (docs/methods/auto.md).
 double edge_strain_of(double rms_potential);
 
-/// The share of each vertex in the area of the patch as it was at first: a third of its triangles.
-Eigen::VectorXd area_shares(const PatchState& state);
+/// The share of each vertex in the area of a surface: a third of its triangles.
+Eigen::VectorXd area_shares(std::span<const Triangle> triangles, std::span<const Vec3> x);
 
 }  // namespace planish

@@ -11,7 +11,9 @@ namespace planish {
 /// Slows moves that come near a limit of distance, so that steps need not be cut: with u the moves,
 /// r the limits, n of how many vertices it is the mean,
 ///
-///     sum of 0.3 / n (|u| / (0.85 r))^8.
+///     sum of 0.3 / n (|u| / (0.85 r))^8
+///
+/// (docs/methods/smooth.md).
 class MoveBarrier {
  public:
   /// @param reach r of each vertex, above 0; infinite where there is no limit

@@ -12,8 +12,9 @@
 
 namespace planish {
 
-/// Keeps triangles near their form: with s the strain of an edge against the design over 15 %, and
-/// a the angles of corners that are sharper than g, 12 degrees or 0.8 of what they were at first,
+/// Keeps triangles near their form (docs/methods/smooth.md): with s the strain of an edge against
+/// the design over 15 %, and a the angles of corners that are sharper than g, 12 degrees or 0.8 of
+/// what they were at first,
 ///
 ///     G = sum over edges of area share x (s^4 + 0.02 s^2) + sum over corners of 0.01 q^2 + 0.3
 ///     q^8,

@@ -11,6 +11,7 @@
 
 #include "evolve/methods/penalty_merit.h"
 #include "evolve/state/sweep.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -50,7 +51,10 @@ struct SearchLine {
 class PenaltySolver {
  public:
   PenaltySolver(const GlobalPenalty& options, PatchState& state, ThreadPool& pool)
-      : options_(options), state_(state), merit_(state, options.border, pool), at_(start()) {
+      : options_(options),
+        state_(state),
+        merit_(state, options.border, pool),
+        at_(merit_.at(all_positions(state))) {
     energy_at_first_ = at_.energy;
   }
 
@@ -63,12 +67,6 @@ class PenaltySolver {
     PenaltyPoint point;
   };
 
-  PenaltyPoint start() const {
-    std::vector<Vec3> positions;
-    for (std::size_t v = 0; v < state_.vertex_count(); ++v)
-      positions.push_back(state_.position(v));
-    return merit_.at(std::move(positions));
-  }
   double value(const PenaltyPoint& point) const {
     return point.stretch + 0.5 * rho_ * point.energy * point.energy;
   }

@@ -43,6 +43,9 @@ class BoundedDescent {
                  std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
                  const BoundedAims& aims)
       : disk_(disk), system_(system), edges_(edges), bounds_(bounds), aims_(aims) {
+    for (std::size_t e = 0; e < bounds.size(); ++e) {
+      if (bounds[e].longer < k_infinity) bounded_.push_back(e);
+    }
     now_.flat = turn_to_axis(disk, std::move(start));
     now_.energy = system_.energy(now_.flat);
     weight_ = aims.weight * now_.energy;
@@ -104,7 +107,6 @@ class BoundedDescent {
   };
 
   LaidEdge laid(std::size_t e) const { return {edges_[e], now_.flat}; }
-  bool is_bounded(std::size_t e) const { return bounds_[e].longer < k_infinity; }
 
   double largest_share_of_bound() const {
     double largest = 0.0;
@@ -118,8 +120,7 @@ class BoundedDescent {
 
   std::vector<Pair> slacks(const std::vector<Vec2>& flat, double scale) const {
     std::vector<Pair> slacks(edges_.size(), Pair{1.0, 1.0});
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       const double strain = LaidEdge(edges_[e], flat).strain;
       slacks[e] = {scale * bounds_[e].longer - strain, scale * bounds_[e].shorter + strain};
     }
@@ -136,8 +137,7 @@ class BoundedDescent {
 
   template <class Visit>
   void for_each_bound(Visit visit) {
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       visit(longer_[e]);
       visit(shorter_[e]);
     }
@@ -148,8 +148,7 @@ class BoundedDescent {
   void begin_barrier() {
     NeumaierSum push;
     push.add(1.0 / scale_bound_.slack);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       push.add(bounds_[e].longer / longer_[e].slack + bounds_[e].shorter / shorter_[e].slack);
     }
     mu_ = weight_ / push.value();
@@ -177,8 +176,7 @@ class BoundedDescent {
     NeumaierSum gradient, curvature;
     gradient.add(weight_ - mu_ / scale_bound_.slack);
     curvature.add(scale_bound_.multiplier / scale_bound_.slack);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       const BarrierTerm term(edges_[e], laid(e), bounds_[e], longer_[e], shorter_[e], mu_);
       gradient.add(term.scale);
       curvature.add(term.scale_twice);
@@ -216,8 +214,7 @@ class BoundedDescent {
 
   Steps steps_of_slacks(const Direction& direction) const {
     Steps steps(edges_.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       const FlatEdge& edge = edges_[e];
       const Vec2 change = direction.move[edge.to] - direction.move[edge.from];
       const double strain = dot(laid(e).along, change) / edge.length;
@@ -234,8 +231,7 @@ class BoundedDescent {
       if (step < 0.0) most = std::min(most, -0.95 * slack / step);
     };
     look(scale_bound_.slack, direction.scale);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       look(longer_[e].slack, steps[e].longer);
       look(shorter_[e].slack, steps[e].shorter);
     }
@@ -262,8 +258,7 @@ class BoundedDescent {
   State corrected(const State& trial, const Steps& steps, double share) const {
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(mixed_.size());
     NeumaierSum scale_pull;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       const double beyond = longer_[e].slack + share * steps[e].longer - trial.slacks[e].longer;
       const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
       const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
@@ -299,8 +294,7 @@ class BoundedDescent {
       bound.multiplier += bound.multiplier_step(mu_, slack_step);
     };
     move(scale_bound_, scale_step);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_bounded(e)) continue;
+    for (const std::size_t e : bounded_) {
       move(longer_[e], steps[e].longer);
       move(shorter_[e], steps[e].shorter);
     }
@@ -329,6 +323,7 @@ class BoundedDescent {
   std::span<const FlatEdge> edges_;
   std::span<const EdgeBounds> bounds_;
   BoundedAims aims_;
+  std::vector<std::size_t> bounded_;  // edges that have bounds
   std::vector<BlockMatrix::Pair> ends_;
   State now_;
   std::vector<Bound> longer_, shorter_;

@@ -135,10 +135,13 @@ TEST(ShapeGuard, HasTheGradientOfDifferenceQuotients) {
   squeeze(surface);
   std::size_t sharp = 0;
   std::vector<Vec3> gradient(surface.x.size());
-  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+  for (std::size_t e = 0; e < guard.edge_count(); ++e) {
+    EXPECT_GT(guard.edge_summand(e, surface.x).second, 0.0);
     add(guard.edge_summand(e, surface.x), gradient);
+  }
   for (std::size_t c = 0; c < guard.corner_count(); ++c) {
     const Summand<3> part = guard.corner_summand(c, surface.x);
+    EXPECT_GE(part.second, 0.0);
     sharp += part.second > 0.0 ? 1 : 0;
     add(part, gradient);
   }
@@ -161,6 +164,12 @@ TEST(MoveBarrier, HasTheDerivativesOfDifferenceQuotients) {
     const auto along_z = [&] { return barrier.derivatives(v, moves[v]).gradient.z; };
     expect_near({hessian.xx, hessian.xy, hessian.xz}, slope_of(along_x, v, moves), 1e-8);
     expect_near({hessian.xz, hessian.yz, hessian.zz}, slope_of(along_z, v, moves), 1e-8);
+    const double minor = hessian.xx * hessian.yy - hessian.xy * hessian.xy;
+    EXPECT_GE(hessian.xx, 0.0);
+    EXPECT_GE(minor, 0.0);
+    EXPECT_GE(minor * hessian.zz + 2.0 * hessian.xy * hessian.xz * hessian.yz -
+                  hessian.xx * hessian.yz * hessian.yz - hessian.yy * hessian.xz * hessian.xz,
+              0.0);
   }
   EXPECT_FALSE(barrier.is_reached(moves));
   moves[1].y = 0.95;

@@ -15,7 +15,7 @@ int main() {
   const auto report =
       planish::flatten(planish::Patch(planish::make_shape("panel", 1000)), "panel", options);
 
-  const planish::EdgeStrain& before = report.unfold_before.strain;
+  const planish::EdgeStrain& before = report.design_least_stretch.strain;
   const planish::EdgeStrain& after = report.unfold.strain;
   std::cout << "rms strain of the pattern " << 100 * before.rms << " % -> " << 100 * after.rms
             << " %\nlargest move " << report.evolve.deviation.max << " mm\n";

@@ -8,7 +8,7 @@ int main() {
   using namespace planish;
   FlattenOptions options;
   options.unit = Unit::mm;
-  options.method = Auto{.max_rms_strain = 0.01};
+  options.method = Auto{.limits = {.rms = 0.01}};
   const auto report = flatten(Patch(make_shape("panel", 1000)), "panel", options);
 
   PatternOptions pattern;

@@ -23,11 +23,11 @@ FLOORS = [
     ("src and include", r"", 95.0, 85.0),
     ("readers", r"io/((formats/)?read_|formats/(obj|ply|stl|off|face_list)|file/(text_cursor|byte_cursor|cursor_error))", 100.0, 0.0),
     # Not what chooses between them.
-    ("kernels", r"(core|measure|evolve|solve)/lanes/(?!isa)", 100.0, 0.0),
+    ("kernels", r"(core|measure|evolve|solve)/simd/(?!isa)", 100.0, 0.0),
 ]
 
 
-# What available_isas() in src/core/lanes/isa.cpp asks of a processor for x86-64-v4.
+# What available_isas() in src/core/simd/isa.cpp asks of a processor for x86-64-v4.
 FLAGS_OF_V4 = {"avx512f", "avx512dq", "avx512vl"}
 
 

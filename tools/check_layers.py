@@ -39,9 +39,9 @@ ALLOWED = {
 # public headers, is below them all.
 FLOORS = {
     "platform": [["platform"], ["platform/posix", "platform/windows"]],
-    "core": [["core"], ["core/lanes"]],
+    "core": [["core"], ["core/simd"]],
     "geometry": [["geometry"]],
-    "solve": [["solve/lanes"], ["solve"]],
+    "solve": [["solve/simd"], ["solve"]],
     "optimize": [["optimize"]],
     "energy": [["energy"]],
     "mesh": [
@@ -51,10 +51,10 @@ FLOORS = {
         ["mesh/redundant"],
     ],
     "io": [["io/file"], ["io/unit"], ["io/formats", "io/svg", "io/model"], ["io"]],
-    "measure": [["measure/lanes"], ["measure"], ["measure/cautions", "measure/form"]],
+    "measure": [["measure/simd"], ["measure"], ["measure/cautions", "measure/form"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [
-        ["evolve/lanes"],
+        ["evolve/simd"],
         ["evolve/state"],
         ["evolve/vertex_step", "evolve/systems"],
         ["evolve/methods", "evolve/auto/shared"],
@@ -77,7 +77,7 @@ FLOORS = {
 # Private headers that the program may include: only the program needs them.
 FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
-    "core/lanes/isa.h",
+    "core/simd/isa.h",
     "core/likely_units.h",
     "core/struct_fields.h",
     "draw/pdf/pdf_text.h",

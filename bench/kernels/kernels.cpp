@@ -16,7 +16,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/lanes/arctangent.h"
+#include "core/simd/arctangent.h"
 #include "evolve/state/spatial_order.h"
 #include "evolve/state/vertex_coloring.h"
 #include "support/inner_rings.h"

@@ -60,7 +60,7 @@ std::vector<Auto> runs_of_auto(double bending) {
                             {.max_bending = bending, .prefer = Prefer::smooth}};
   for (const double closeness : {0.0, 0.1, 0.25, 0.5, 1.0}) {
     runs.push_back({.closeness = closeness, .prefer = Prefer::near});
-    runs.push_back({.max_rms_strain = k_nearly, .closeness = closeness, .prefer = Prefer::near});
+    runs.push_back({.limits = {.rms = k_nearly}, .closeness = closeness, .prefer = Prefer::near});
   }
   return runs;
 }

@@ -35,6 +35,7 @@
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
 #include <planish/measure/form_change.h>
+#include <planish/measure/limit_check.h>
 #include <planish/measure/material.h>
 #include <planish/measure/obstruction.h>
 #include <planish/mesh/carry.h>
@@ -61,7 +62,6 @@
 #include <planish/sheet/pattern_geometry.h>
 #include <planish/sheet/pattern_sheet.h>
 #include <planish/sheet/product_sheet.h>
-#include <planish/unfold/material_fit.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/suggest_cuts.h>
 #include <planish/unfold/unfold.h>

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t k_guard_grain = 2048;
 /// Edges: a strain over the first adds its fourth power and this share of its square.
-constexpr double k_edge_strain = 0.15, k_of_square = 0.02;
+constexpr double k_edge_strain = 0.15, k_edge_quadratic_weight = 0.02;
 /// Corners: weights of the square and of the eighth power.
-constexpr double k_of_corner = 0.01, k_of_eighth = 0.3;
+constexpr double k_corner_quadratic_weight = 0.01, k_corner_octic_weight = 0.3;
 /// A corner is guarded below this angle (radians), or below this share of its first one.
-constexpr double k_sharp = 12.0 * std::numbers::pi / 180.0, k_of_first = 0.8;
+constexpr double k_sharp = 12.0 * std::numbers::pi / 180.0, k_first_angle_share = 0.8;
 
 double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
   const Vec3 u = b - at, w = c - at;
@@ -48,7 +48,7 @@ ShapeGuard::ShapeGuard(std::vector<Triangle> triangles, const std::vector<Vec3>&
       const double length = norm(design[high] - design[low]);
       if (length > 0.0) edges_.push_back({{low, high}, length, area / 3.0});
       const double angle = corner_angle(design[corner[0]], design[corner[1]], design[corner[2]]);
-      const double sharp = std::min(k_sharp, k_of_first * angle);
+      const double sharp = std::min(k_sharp, k_first_angle_share * angle);
       if (sharp > 0.0 && sharp < k_sharp) bounds_.push_back(bound_of(sharp, least_angle));
       const std::size_t bound = sharp < k_sharp ? bounds_.size() - 1 : 0;
       corner_bounds_.push_back(sharp > 0.0 ? static_cast<std::uint32_t>(bound) : k_none);
@@ -72,7 +72,7 @@ ShapeGuard::ShapeGuard(std::vector<Triangle> triangles, const std::vector<Vec3>&
 double ShapeGuard::edge_value(const Edge& edge, const std::vector<Vec3>& x) const {
   const double length = norm(x[edge.ends[1]] - x[edge.ends[0]]);
   const double s = (length / edge.length - 1.0) / k_edge_strain, square = s * s;
-  return edge.share * square * (square + k_of_square);
+  return edge.share * square * (square + k_edge_quadratic_weight);
 }
 
 double ShapeGuard::corner_value(std::size_t c, const std::vector<Vec3>& x) const {
@@ -86,7 +86,8 @@ double ShapeGuard::corner_value(std::size_t c, const std::vector<Vec3>& x) const
     return 0.0;
   const double q = (bound.sharp - math::atan2(norm(cross(u, w)), cosine)) / bound.range;
   const double square = q * q, fourth = square * square;
-  return q > 0.0 ? k_of_corner * square + k_of_eighth * fourth * fourth : 0.0;
+  return q > 0.0 ? k_corner_quadratic_weight * square + k_corner_octic_weight * fourth * fourth
+                 : 0.0;
 }
 
 double ShapeGuard::value(const std::vector<Vec3>& x, ThreadPool& pool) const {
@@ -110,8 +111,8 @@ Summand<2> ShapeGuard::edge_summand(std::size_t e, const std::vector<Vec3>& x) c
   const double s = (length - edge.length) * unit;
   const Vec3 outward = (1.0 / length) * along;
   return {edge.ends,
-          edge.share * s * (4.0 * s * s + 2.0 * k_of_square) * unit,
-          edge.share * (12.0 * s * s + 2.0 * k_of_square) * unit * unit,
+          edge.share * s * (4.0 * s * s + 2.0 * k_edge_quadratic_weight) * unit,
+          edge.share * (12.0 * s * s + 2.0 * k_edge_quadratic_weight) * unit * unit,
           {-1.0 * outward, outward}};
 }
 
@@ -130,8 +131,8 @@ Summand<3> ShapeGuard::corner_summand(std::size_t c, const std::vector<Vec3>& x)
   const Vec3 by_first = (-1.0 / (dot(u, u) * size)) * cross(normal, u);
   const Vec3 by_second = (1.0 / (dot(w, w) * size)) * cross(normal, w);
   return {stencil,
-          -(2.0 * k_of_corner + 8.0 * k_of_eighth * sixth) * q * unit,
-          (2.0 * k_of_corner + 56.0 * k_of_eighth * sixth) * unit * unit,
+          -(2.0 * k_corner_quadratic_weight + 8.0 * k_corner_octic_weight * sixth) * q * unit,
+          (2.0 * k_corner_quadratic_weight + 56.0 * k_corner_octic_weight * sixth) * unit * unit,
           {-1.0 * by_first - by_second, by_first, by_second}};
 }
 

@@ -46,6 +46,7 @@ Method method_named(std::string_view name) {
 
 void check_options(const Method& method) {
   std::visit([](auto options) { describe(options, CheckRange{}); }, method);
+  if (const auto* options = std::get_if<Auto>(&method)) require(options->limits);
 }
 
 }  // namespace planish

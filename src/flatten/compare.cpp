@@ -38,7 +38,8 @@ class Comparison {
       return;
     }
     try {
-      report_.unfold_before = unfold_patch(report_.input, options_.unit, k_least_stretch, part);
+      report_.design_least_stretch =
+          unfold_patch(report_.input, options_.unit, k_least_stretch, part);
     } catch (...) {
       report_.why_no_patterns = current_failure().message;
     }
@@ -52,7 +53,7 @@ class Comparison {
     try {
       compared.evolve =
           evolve_patch(report_.input, run.method, run.stopping, options_.constraints, evolving);
-      if (!report_.unfold_before) return;
+      if (!report_.design_least_stretch) return;
       const std::vector<Vec3>& evolved = compared.evolve->result.positions;
       compared.unfold = unfold_patch(report_.input.with_positions(evolved), options_.unit,
                                      k_least_stretch, unfolding);

@@ -49,8 +49,8 @@ std::string price(const CompareReport& report, const ComparedMethod& method) {
   }
   const Fairness& fairness = method.evolve->fairness;
   if (!fairness.is_smooth()) add(unsmooth_text(fairness));
-  if (method.unfold && report.unfold_before) {
-    if (method.unfold->pattern.overlaps && !report.unfold_before->pattern.overlaps) {
+  if (method.unfold && report.design_least_stretch) {
+    if (method.unfold->pattern.overlaps && !report.design_least_stretch->pattern.overlaps) {
       add("pattern overlaps");
     }
     if (method.unfold->pattern.flipped_triangles > 0) add("flipped triangles");
@@ -68,8 +68,8 @@ struct Measure {
 };
 
 Measure measure_of(const CompareReport& report, const ComparedMethod& method) {
-  if (method.unfold && report.unfold_before) {
-    return {report.unfold_before->strain.rms, method.unfold->strain.rms};
+  if (method.unfold && report.design_least_stretch) {
+    return {report.design_least_stretch->strain.rms, method.unfold->strain.rms};
   }
   return {report.before.figures.sum_abs_defect, method.evolve->after.figures.sum_abs_defect};
 }
@@ -83,7 +83,7 @@ std::string change_text(const Measure& measure, bool of_strain) {
 
 std::string gain(const CompareReport& report, const ComparedMethod& method) {
   const EvolveReport& evolve = *method.evolve;
-  const bool of_strain = method.unfold && report.unfold_before;
+  const bool of_strain = method.unfold && report.design_least_stretch;
   const Measure measure = measure_of(report, method);
   const std::string thing = of_strain ? "pattern" : "patch";
   if (evolve.deviation.max == 0.0) return "moved nothing";

@@ -76,8 +76,8 @@ UnfoldReport unfold_as_asked(const Patch& surface, const Work& work, double shar
 }
 
 /// What a pattern has of the aim. Strain is measured against the surface that it is made from.
-std::vector<StrainLimitCheck> checks_of_aim(const Patch& surface, const UnfoldReport& report,
-                                            const Task& task) {
+std::vector<LimitCheck> checks_of_aim(const Patch& surface, const UnfoldReport& report,
+                                      const Task& task) {
   if (task.limits.any() || !task.aim.any()) return report.limits;
   return check_limits(surface, report.pattern.positions, task.aim);
 }
@@ -123,8 +123,8 @@ FlattenReport design_kept(const Work& work, DesignPatterns patterns, StopReason 
     patterns.asked = unfold_as_asked(work.design.patch, work, work.shares.design);
   FlattenReport report;
   report.evolve = design_as_it_is(work.design, work.task, reason);
-  report.unfold = report.as_designed = std::move(*patterns.asked);
-  report.unfold_before = std::move(patterns.plain);
+  report.unfold = report.design_pattern = std::move(*patterns.asked);
+  report.design_least_stretch = std::move(patterns.plain);
   return report;
 }
 
@@ -135,8 +135,8 @@ FlattenReport design_changed(const Work& work, const DesignPatterns& patterns,
   report.evolve = std::move(found.evolve);
   report.evolve.method = work.task.method;
   report.unfold = std::move(found.unfold);
-  report.unfold_before = patterns.plain;
-  report.as_designed = patterns.shown(work);
+  report.design_least_stretch = patterns.plain;
+  report.design_pattern = patterns.shown(work);
   return report;
 }
 
@@ -150,7 +150,7 @@ EvolvedPattern measured_again(const Work& work, EvolvedPattern found) {
 bool is_worse_than_design(const FlattenReport& report, const StrainLimits& limits) {
   constexpr double same = 0.02, not_measurable = 1e-6;
   if (limits.any() && all_kept(report.unfold.limits)) return false;
-  const double before = report.unfold_before.strain.rms;
+  const double before = report.design_least_stretch.strain.rms;
   return least_strain(report.unfold).rms - before > std::max(same * before, not_measurable);
 }
 
@@ -173,10 +173,9 @@ SurfaceRuns runs_for(const Work& work) {
   SurfaceRuns runs;
   runs.effort = is_slow ? k_effort_of_large : work.task.effort;
   runs.bending = work.design.measured.bending;
-  runs.evolved = [&work, led = method](const SurfaceLimits& limits) mutable {
-    led.max_strain = 0.0;
-    led.max_rms_strain = limits.rms_strain;
-    led.max_deviation = limits.max_deviation;
+  runs.evolved = [&work, led = method](const StrainLimits& limits, double max_deviation) mutable {
+    led.limits = limits;
+    led.max_deviation = max_deviation;
     return evolve_design(work.design, led, work.task.stopping, work.parts.next(k_share_of_trial));
   };
   runs.unfolded = [&work](const Patch& surface) {
@@ -239,7 +238,7 @@ EvolvedPattern evolve_to_aim(const Work& work, const Unfold& unfolded) {
         evolve_design(work.design, method, task.stopping, work.parts.next(work.shares.evolution));
     const Patch surface = work.design.patch.with_positions(found.evolve.result.positions);
     found.unfold = unfolded(surface, found.evolve);
-    const double share = share_of_limits(checks_of_aim(surface, found.unfold, task));
+    const double share = headroom(checks_of_aim(surface, found.unfold, task));
     const bool may_try =
         found.evolve.result.stop == StopReason::strain_met && run < task.effort.runs;
     if (!task.aim.any() || share >= 1.0 || !may_try) return found;
@@ -275,7 +274,7 @@ FlattenReport evolve_without_aim(const Work& work) {
   patterns.asked = patterns.plain;
   found.evolve.result.stop = stop_of(found, work.task.limits);
   FlattenReport report = design_changed(work, patterns, std::move(found));
-  report.as_designed = patterns.plain;
+  report.design_pattern = patterns.plain;
   return unless_worse(work, std::move(patterns), std::move(report));
 }
 
@@ -316,10 +315,10 @@ CoarseSearch search_on_coarse_mesh(const Work& work, const EdgeStrain& strain) {
   try {
     const FlattenReport found = flattened(coarse->patch, job, {}, context);
     search.design_misses =
-        share_of_limits(
-            check_limits(coarse->patch, found.as_designed.pattern.positions, job.limits)) < far;
+        headroom(check_limits(coarse->patch, found.design_pattern.pattern.positions, job.limits)) <
+        far;
     if (all_kept(found.unfold.limits))
-      search.gone = 1.0 - least_strain(found.unfold).rms / found.unfold_before.strain.rms;
+      search.gone = 1.0 - least_strain(found.unfold).rms / found.design_least_stretch.strain.rms;
   } catch (const Error&) {
     // The search begins as that of a small patch does.
   }
@@ -385,7 +384,7 @@ std::vector<Way> ways_beside(const FlattenReport& report, const FlattenOptions& 
   const auto run = [&](const Patch& coarse, const FlattenOptions& job, const Context& of_job) {
     return flattened(coarse, job, little, of_job);
   };
-  const UnfoldReport& design = report.as_designed;
+  const UnfoldReport& design = report.design_pattern;
   return with_result(
       find_ways(report.input, options, {design.strain, least_strain(design)}, run, context),
       report);
@@ -399,7 +398,8 @@ bool FlattenOptions::may_change() const {
 }
 
 FlattenReport with_turned(FlattenReport report, bool turned) {
-  for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
+  for (UnfoldReport* unfold :
+       {&report.unfold, &report.design_least_stretch, &report.design_pattern})
     unfold->turned = turned;
   return report;
 }

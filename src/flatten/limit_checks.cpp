@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "core/figure_text.h"
-#include "flatten/outcome.h"
+#include "flatten/strain_limit_text.h"
 
 namespace planish {
 
@@ -71,9 +71,7 @@ std::vector<LimitCheck> limit_checks(const EvolveReport& evolve) {
 }
 
 std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
-  std::vector<LimitCheck> checks;
-  for (const StrainLimitCheck& check : report.unfold.limits)
-    checks.push_back(limit_check(check));
+  std::vector<LimitCheck> checks = report.unfold.limits;
   const std::vector<LimitCheck> others = limit_checks(report.evolve);
   checks.insert(checks.end(), others.begin(), others.end());
   return checks;
@@ -81,20 +79,6 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
 
 std::string limit_text(const LimitCheck& check, Unit unit) {
   switch (check.what) {
-    case Criterion::strain:
-      return "at most " + percent_text(check.limit);
-    case Criterion::p99_strain:
-      return "at most " + percent_text(check.limit) + " on 99 % of the area";
-    case Criterion::rms_strain:
-      return "at most " + percent_text(check.limit) + " (rms)";
-    case Criterion::stretch:
-      return "at most " + percent_text(check.limit) + " of stretch";
-    case Criterion::p99_stretch:
-      return "at most " + percent_text(check.limit) + " of stretch on 99 % of the area";
-    case Criterion::compression:
-      return "at most " + percent_text(check.limit) + " of compression";
-    case Criterion::p99_compression:
-      return "at most " + percent_text(check.limit) + " of compression on 99 % of the area";
     case Criterion::deviation:
       return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
     case Criterion::angle:
@@ -104,8 +88,10 @@ std::string limit_text(const LimitCheck& check, Unit unit) {
     case Criterion::bending:
       return "at most " + significant_text(check.limit, 3) + " times the design's";
     default:
-      return {};  // no limit
+      break;
   }
+  if (!is_of_strain(check.what)) return {};  // no limit
+  return "at most " + percent_text(check.limit) + side_words(check.what) + scope_words(check.what);
 }
 
 }  // namespace planish

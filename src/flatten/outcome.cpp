@@ -89,26 +89,6 @@ Outcome outcome_of(const UnfoldReport& unfold, double largest_move, StopReason s
       .outcome();
 }
 
-Criterion criterion_of(StrainLimitKind kind) {
-  switch (kind) {
-    case StrainLimitKind::p99:
-      return Criterion::p99_strain;
-    case StrainLimitKind::rms:
-      return Criterion::rms_strain;
-    case StrainLimitKind::max_stretch:
-      return Criterion::stretch;
-    case StrainLimitKind::p99_stretch:
-      return Criterion::p99_stretch;
-    case StrainLimitKind::max_compression:
-      return Criterion::compression;
-    case StrainLimitKind::p99_compression:
-      return Criterion::p99_compression;
-    case StrainLimitKind::max:
-      break;
-  }
-  return Criterion::strain;
-}
-
 /// Whether a fold in one place is all that is not smooth.
 bool is_only_folded(const Fairness& fairness) {
   return fairness.form_change && fairness.bending_ratio && !fairness.is_smooth() &&
@@ -133,62 +113,6 @@ bool ended_by_strain(StopReason reason) {
 }
 
 }  // namespace
-
-std::string_view to_string(Criterion criterion) {
-  switch (criterion) {
-    case Criterion::strain:
-      return "strain";
-    case Criterion::p99_strain:
-      return "p99_strain";
-    case Criterion::rms_strain:
-      return "rms_strain";
-    case Criterion::stretch:
-      return "stretch";
-    case Criterion::p99_stretch:
-      return "p99_stretch";
-    case Criterion::compression:
-      return "compression";
-    case Criterion::p99_compression:
-      return "p99_compression";
-    case Criterion::deviation:
-      return "deviation";
-    case Criterion::angle:
-      return "angle";
-    case Criterion::e_max:
-      return "e_max";
-    case Criterion::bending:
-      return "bending";
-    case Criterion::rejected:
-      return "rejected";
-    case Criterion::failure:
-      return "failure";
-    case Criterion::size:
-      return "size";
-    case Criterion::stretched:
-      return "stretched";
-    case Criterion::crumpled:
-      return "crumpled";
-    case Criterion::form:
-      return "form";
-    case Criterion::fold:
-      return "fold";
-    case Criterion::self_intersections:
-      return "self_intersections";
-    case Criterion::overlap:
-      return "overlap";
-    case Criterion::flipped_triangles:
-      return "flipped_triangles";
-  }
-  return "unknown";
-}
-
-bool is_of_strain(Criterion what) {
-  return what <= Criterion::p99_compression;
-}
-
-LimitCheck limit_check(const StrainLimitCheck& check) {
-  return {criterion_of(check.kind), check.asked, check.reached, check.kept()};
-}
 
 std::string_view smoothness_word(const Fairness& fairness) {
   constexpr double crumpled = 3.0;  // ripple
@@ -237,17 +161,14 @@ Outcome EvolveReport::outcome() const {
   Judgement judgement(result.stop);
   judgement.limits(limit_checks(*this)).form(find_form_faults(*this));
   if (const Auto* options = auto_options(); options && !ended_by_strain(result.stop)) {
-    judgement.miss_if(options->max_strain > 0.0, Criterion::strain);
-    judgement.miss_if(options->max_rms_strain > 0.0, Criterion::rms_strain);
+    for (const LimitCheck& check : check_limits(EdgeStrain{}, options->limits))
+      judgement.miss_if(true, check.what);
   }
   return judgement.outcome();
 }
 
 Outcome UnfoldReport::outcome() const {
-  std::vector<LimitCheck> checks;
-  for (const StrainLimitCheck& check : limits)
-    checks.push_back(limit_check(check));
-  return outcome_of(*this, 0.0, StopReason::design_kept, false, checks, {});
+  return outcome_of(*this, 0.0, StopReason::design_kept, false, limits, {});
 }
 
 Outcome FlattenReport::outcome() const {

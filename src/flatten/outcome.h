@@ -13,9 +13,4 @@ std::vector<FormFault> find_form_faults(const EvolveReport& evolve);
 /// All of them after "the form": "is crumpled and lost".
 std::string joined(const std::vector<FormFault>& faults);
 
-/// A limit of strain that was asked for, as one of all limits.
-LimitCheck limit_check(const StrainLimitCheck& check);
-
-bool is_of_strain(Criterion what);
-
 }  // namespace planish

@@ -25,49 +25,54 @@ int digits_for(double limit, double strain) {
   return digits;
 }
 
-std::string place_text(const StrainLimitCheck& check) {
+std::string place_text(const LimitCheck& check) {
   return "from vertex " + std::to_string(check.edge[0]) + " to " + std::to_string(check.edge[1]) +
          ", near (" + rounded(check.at.x, 4) + ", " + rounded(check.at.y, 4) + ", " +
          rounded(check.at.z, 4) + ")";
 }
 
-/// What the limit is for, and what the pattern has of that.
-std::string_view scope_of(StrainLimitKind kind) {
-  switch (kind) {
-    case StrainLimitKind::max:
-      return "the strain of every edge";
-    case StrainLimitKind::p99:
-      return "the strain on 99 % of the area";
-    case StrainLimitKind::rms:
-      return "the rms of the strain";
-    case StrainLimitKind::max_stretch:
-      return "the stretch of every edge";
-    case StrainLimitKind::p99_stretch:
-      return "the stretch on 99 % of the area";
-    case StrainLimitKind::max_compression:
-      return "the compression of every edge";
-    case StrainLimitKind::p99_compression:
-      return "the compression on 99 % of the area";
-  }
-  return {};
-}
-
 }  // namespace
 
-std::string strain_limit_text(const StrainLimitCheck& check) {
-  const int digits = digits_for(check.asked, check.reached);
-  std::string text = "The limit of " + percent(check.asked, digits) + " for " +
-                     std::string(scope_of(check.kind)) +
-                     (check.kept() ? " is kept" : " is not kept") + ": the pattern has " +
-                     percent(check.reached, digits);
-  if (check.kept() || check.kind == StrainLimitKind::rms) return text + ".";
+std::string_view bounded_part(Criterion what) {
+  const std::string_view name = to_string(what);
+  for (const std::string_view part : {"stretch", "compression"}) {
+    if (name.ends_with(part)) return part;
+  }
+  return "strain";
+}
+
+std::string side_words(Criterion what) {
+  const std::string part(bounded_part(what));
+  return part == "strain" ? "" : " of " + part;
+}
+
+std::string scope_words(Criterion what) {
+  if (what == Criterion::rms_strain) return " (rms)";
+  return is_of_area(what) ? " on 99 % of the area" : "";
+}
+
+bool is_of_area(Criterion what) {
+  return to_string(what).starts_with("p99");
+}
+
+std::string strain_limit_text(const LimitCheck& check) {
+  const int digits = digits_for(check.limit, check.value);
+  const bool is_rms = check.what == Criterion::rms_strain;
+  std::string text =
+      "The limit of " + percent(check.limit, digits) + " for the " +
+      (is_rms ? "rms of the strain"
+              : std::string(bounded_part(check.what)) +
+                    (is_of_area(check.what) ? " on 99 % of the area" : " of every edge")) +
+      (check.met ? " is kept" : " is not kept") + ": the pattern has " +
+      percent(check.value, digits);
+  if (check.met || is_rms) return text + ".";
   return text + ", most at the edge " + place_text(check) + "; " + percent(check.share_beyond, 2) +
          " of the area is beyond the limit.";
 }
 
-std::string strain_limits_text(std::span<const StrainLimitCheck> checks) {
+std::string strain_limits_text(std::span<const LimitCheck> checks) {
   std::string text;
-  for (const StrainLimitCheck& check : checks)
+  for (const LimitCheck& check : checks)
     text += (text.empty() ? "" : " ") + strain_limit_text(check);
   return text;
 }

@@ -71,7 +71,8 @@ class Instance {
 
   UnfoldReport of(UnfoldReport report) const {
     Pattern& pattern = report.pattern;
-    for (std::vector<Vec2>* places : {&pattern.positions, &pattern.unmatched, &pattern.unlimited})
+    for (std::vector<Vec2>* places :
+         {&pattern.positions, &pattern.unmatched_least_stretch, &pattern.least_stretch})
       *places = laid_alike(*places);
     if (pattern.opened) pattern.opened->vertex = vertex_[pattern.opened->vertex];
     if (report.overlap && mirrored_) {
@@ -82,7 +83,7 @@ class Instance {
     report.strain = of(report.strain);
     for (auto* strain : {&report.unmatched_strain, &report.unlimited_strain})
       if (*strain) *strain = of(**strain);
-    for (StrainLimitCheck& check : report.limits) {
+    for (LimitCheck& check : report.limits) {
       check.edge = edge_of(check.edge);
       check.at = motion_(check.at);
     }
@@ -167,7 +168,8 @@ std::optional<FlattenReport> twin_report(const FlattenReport& other, const Patch
   evolve.before = instance.of(std::move(evolve.before), own.patch, other.input.triangles());
   evolve.after = instance.of(std::move(evolve.after), report.processed, other.input.triangles());
   evolve.fairness = instance.of(evolve.fairness);
-  for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
+  for (UnfoldReport* unfold :
+       {&report.unfold, &report.design_least_stretch, &report.design_pattern})
     *unfold = instance.of(std::move(*unfold));
   if (report.rejected) report.rejected = instance.of(*report.rejected);
   report.input = std::move(own.patch);

@@ -8,12 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include <planish/unfold/material_fit.h>
+#include <planish/measure/material.h>
 
 #include "core/figure_text.h"
 #include "core/likely_units.h"
 #include "flatten/limit_checks.h"
 #include "flatten/outcome.h"
+#include "flatten/strain_limit_text.h"
 
 namespace planish {
 
@@ -31,28 +32,12 @@ constexpr double k_limit_rounding = 1e-9;
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
 
-/// What a limit of strain is for.
-struct StrainScope {
-  std::string_view way = {};  ///< behind the figure: " of stretch"
-  double EdgeStrain::*largest =
-      nullptr;  ///< of every edge, where the limit is for 99 % of the area
-};
-
-StrainScope strain_scope(Criterion what) {
-  switch (what) {
-    case Criterion::p99_strain:
-      return {{}, &EdgeStrain::max};
-    case Criterion::stretch:
-      return {" of stretch"};
-    case Criterion::p99_stretch:
-      return {" of stretch", &EdgeStrain::max_stretch};
-    case Criterion::compression:
-      return {" of compression"};
-    case Criterion::p99_compression:
-      return {" of compression", &EdgeStrain::max_compression};
-    default:
-      return {};
-  }
+/// The largest strain, stretch or compression, as the limit is for.
+double largest_figure(const EdgeStrain& strain, Criterion what) {
+  const std::string_view part = bounded_part(what);
+  return part == "stretch"       ? strain.max_stretch
+         : part == "compression" ? strain.max_compression
+                                 : strain.max;
 }
 
 std::string capitalised(std::string text) {
@@ -98,9 +83,8 @@ std::string point_text(Vec3 at) {
 
 /// "cotton (5.0 %)", by the limit that says most.
 std::string named(const MaterialVerdict& verdict) {
-  const LimitCheck limit = limit_check({.kind = verdict.tightest, .asked = verdict.limit});
-  return verdict.material->name + " (" + percent_text(verdict.limit) +
-         std::string(strain_scope(limit.what).way) + ")";
+  return verdict.material->name + " (" + percent_text(verdict.tightest.limit) +
+         side_words(verdict.tightest.what) + ")";
 }
 
 /// Of the known materials the stiffest one that takes the strain, and the one before it, which does
@@ -118,7 +102,7 @@ std::string neighbours_text(const EdgeStrain& strain) {
 /// material.
 std::string unchanged_sentence(const FlattenReport& report) {
   if (report.evolve.fairness.unchanged || report.rejected) return {};
-  for (const MaterialVerdict& verdict : materials_for(report.as_designed.strain)) {
+  for (const MaterialVerdict& verdict : materials_for(report.design_pattern.strain)) {
     if (!verdict.takes) continue;
     const std::string& name = verdict.material->name;
     return " " + capitalised(name) + " takes the design as it is: --material " + name +
@@ -192,7 +176,7 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::limit_missed:
       break;
   }
-  const std::vector<LimitCheck> limits = strain_limits_of(report);
+  const std::vector<LimitCheck>& limits = report.unfold.limits;
   const auto missed = std::find_if(limits.begin(), limits.end(),
                                    [](const LimitCheck& check) { return !check.met; });
   if (missed != limits.end()) return "Not within " + strain_limit_name(*missed, report);
@@ -221,7 +205,7 @@ std::string form_clause(const FlattenReport& report) {
 }
 
 std::string stretch_sentence(const FlattenReport& report) {
-  const EdgeStrain &before = report.as_designed.strain, &after = report.unfold.strain;
+  const EdgeStrain &before = report.design_pattern.strain, &after = report.unfold.strain;
   if (keeps_lengths(report)) {
     // Of the mesh alone where that is not the surface.
     const std::string kept = std::string(" The pattern keeps every length") +
@@ -327,11 +311,9 @@ std::string form_faults(const EvolveReport& evolve) {
 Flatness flatness_of(const FlattenReport& report) {
   if (keeps_lengths(report))
     return unjudged_caution(report) == nullptr ? Flatness::flat : Flatness::not_known;
-  const std::vector<LimitCheck> limits = strain_limits_of(report);
+  const std::vector<LimitCheck>& limits = report.unfold.limits;
   if (!limits.empty()) {
-    const bool kept = std::all_of(limits.begin(), limits.end(),
-                                  [](const LimitCheck& check) { return check.met; });
-    return kept ? Flatness::limit_kept : Flatness::limit_missed;
+    return all_kept(limits) ? Flatness::limit_kept : Flatness::limit_missed;
   }
   if (unjudged_caution(report) != nullptr) return Flatness::not_known;
   return is_too_small_to_measure(report.unfold.strain) ? Flatness::unmeasurable
@@ -342,29 +324,18 @@ bool is_too_small_to_measure(const EdgeStrain& strain) {
   return strain.rms <= k_flat_strain;
 }
 
-std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
-  std::vector<LimitCheck> limits;
-  for (const LimitCheck& check : limit_checks(report)) {
-    if (is_of_strain(check.what)) limits.push_back(check);
-  }
-  return limits;
-}
-
 std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report) {
-  const StrainScope scope = strain_scope(check.what);
-  const std::string limit = percent_text(check.limit) + std::string(scope.way);
+  const std::string limit = percent_text(check.limit) + side_words(check.what);
+  const bool of_area = is_of_area(check.what);
   if (is_of_material(check, report)) {
-    const bool is_beyond = scope.largest != nullptr && report.unfold.strain.*scope.largest >
-                                                           check.limit * (1.0 + k_limit_rounding);
+    const bool is_beyond = of_area && largest_figure(report.unfold.strain, check.what) >
+                                          check.limit * (1.0 + k_limit_rounding);
     return "the " + limit + " that " + report.material + " takes" +
-           (is_beyond                  ? " on 99 % of the area"
-            : scope.largest == nullptr ? " at any edge"
-                                       : "");
+           (is_beyond ? " on 99 % of the area"
+            : of_area ? ""
+                      : " at any edge");
   }
-  return "the limit of " + limit +
-         (check.what == Criterion::rms_strain ? " (rms)"
-          : scope.largest != nullptr          ? " on 99 % of the area"
-                                              : "");
+  return "the limit of " + limit + scope_words(check.what);
 }
 
 std::string form_loss_text(const Fairness& fairness) {
@@ -437,7 +408,7 @@ std::string computed_text(const FlattenReport& report) {
   if (nothing_moved) return sweeps + " found no vertex to move.";
   const double energy_before = evolve.before.figures.energy;
   const double energy_after = evolve.after.figures.energy;
-  const double strain_before = report.unfold_before.strain.rms;
+  const double strain_before = report.design_least_stretch.strain.rms;
   const double strain_after = report.unfold.strain.rms;
   const std::string energy = energy_phrase(energy_before, energy_after);
   const std::string strain = strain_phrase(strain_before, strain_after);

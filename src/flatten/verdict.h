@@ -24,13 +24,10 @@ Flatness flatness_of(const FlattenReport& report);
 /// The rms is that of the usual end of auto, or less: no material shows it.
 bool is_too_small_to_measure(const EdgeStrain& strain);
 
-/// Those of limit_checks() that are about strain.
-std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
-
 /// "the 10 % that neoprene takes" where the limit is that of a material that was named, else "the
 /// limit of 2.0 %". The area that the limit is for is named where an edge of the pattern is beyond
 /// it. Plain UTF-8 text.
-/// @param check of strain_limits_of()
+/// @param check of strain
 std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report);
 
 /// "Needs a sheet that takes 8.2 %: neoprene (10 %) does, cotton (5.0 %) does not", of the known

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +57,27 @@ std::vector<Material> made() {
   };
 }
 
+/// Sets a limit of both ways where they are equal, else one of each that is there.
+void set_limits(double& both, double& stretch, double& compression,
+                const std::optional<MaterialFigure>& stretched,
+                const std::optional<MaterialFigure>& compressed) {
+  if (stretched && compressed && stretched->strain == compressed->strain) {
+    both = stretched->strain;
+    return;
+  }
+  if (stretched) stretch = stretched->strain;
+  if (compressed) compression = compressed->strain;
+}
+
+MaterialVerdict verdict_of(const Material& material, const EdgeStrain& strain) {
+  const std::vector<LimitCheck> checks = check_limits(strain, limits_of(material));
+  const auto tightest =
+      std::max_element(checks.begin(), checks.end(), [](const LimitCheck& a, const LimitCheck& b) {
+        return a.value / a.limit < b.value / b.limit;
+      });
+  return {&material, all_kept(checks), tightest == checks.end() ? LimitCheck{} : *tightest};
+}
+
 }  // namespace
 
 std::span<const Material> materials() {
@@ -78,6 +100,22 @@ const Material& material_named(std::string_view name) {
   }
   throw Error(ErrorCode::unknown_name,
               "no material is called \"" + std::string(name) + "\"; known are " + known);
+}
+
+StrainLimits limits_of(const Material& material) {
+  StrainLimits limits;
+  set_limits(limits.p99, limits.p99_stretch, limits.p99_compression, material.stretch.usual,
+             material.compression.usual);
+  set_limits(limits.max, limits.max_stretch, limits.max_compression, material.stretch.largest,
+             material.compression.largest);
+  return limits;
+}
+
+std::vector<MaterialVerdict> materials_for(const EdgeStrain& strain) {
+  std::vector<MaterialVerdict> verdicts;
+  for (const Material& material : materials())
+    verdicts.push_back(verdict_of(material, strain));
+  return verdicts;
 }
 
 }  // namespace planish

@@ -9,7 +9,7 @@
 
 #include <planish/core/vec.h>
 
-#include "measure/lanes/star_defects.h"
+#include "measure/simd/star_defects.h"
 
 namespace planish {
 

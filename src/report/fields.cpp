@@ -58,7 +58,7 @@ MeshFields fields_of(const Patch& patch, std::span<const Vec2> pattern) {
 
 MeshFields fields_of(const FlattenReport& report) {
   MeshFields fields = fields_of(report.processed, report.unfold.pattern.positions);
-  MeshFields input = fields_of(report.input, report.unfold_before.pattern.positions);
+  MeshFields input = fields_of(report.input, report.design_least_stretch.pattern.positions);
   input.vertices.erase(input.vertices.begin());  // the same vertices are inner
   append(fields.vertices, std::move(input.vertices), "input_");
   append(fields.triangles, std::move(input.triangles), "input_");

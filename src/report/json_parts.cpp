@@ -62,11 +62,11 @@ void to_json(Json& json, const EdgeStrain& strain) {
           {"compression", {{"max", strain.max_compression}, {"p99", strain.p99_compression}}}};
 }
 
-void to_json(Json& json, const StrainLimitCheck& check) {
-  json = {{"kind", to_string(check.kind)},
-          {"asked", check.asked},
-          {"kept", check.kept()},
-          {"reached", check.reached},
+void to_json(Json& json, const LimitCheck& check) {
+  json = {{"kind", figure_name(check.what)},
+          {"asked", check.limit},
+          {"kept", check.met},
+          {"reached", check.value},
           {"share_beyond", check.share_beyond},
           {"where", {{"edge", check.edge}, {"at", check.at}}}};
 }

@@ -28,7 +28,7 @@ void to_json(Json& json, const Obstruction& obstruction);
 void to_json(Json& json, const StrainAsDesigned& strain);
 void to_json(Json& json, const Deviation& deviation);
 void to_json(Json& json, const EdgeStrain& strain);
-void to_json(Json& json, const StrainLimitCheck& check);
+void to_json(Json& json, const LimitCheck& check);
 void to_json(Json& json, const Overlap& overlap);
 void to_json(Json& json, const OpenedCrossings& opened);
 void to_json(Json& json, const SweepRecord& record);

@@ -126,7 +126,7 @@ void to_json(Json& json, const EvolveReport& report) {
 
 void to_json(Json& json, const Candidate& candidate) {
   json = {{"name", candidate_name(candidate)},
-          {"pick", candidate.pick},
+          {"pick", candidate.preset},
           {"strain", candidate.strain},
           {"limits_kept", candidate.limits_kept},
           {"deviation", candidate.deviation},
@@ -178,9 +178,9 @@ Json marked(const std::vector<Candidate>& candidates) {
 }
 
 Json limit_of(const FrontierReport& report) {
-  if (!report.limit) return nullptr;
-  return {{"max_strain", *report.limit},
-          {"kind", report.limit_of_area ? "p99" : "max"},
+  if (!report.limits.any()) return nullptr;
+  return {{"max_strain", report.limits.both_ways()},
+          {"kind", report.limits.p99 > 0.0 ? "p99" : "max"},
           {"first_within", report.first_within_limit()}};
 }
 
@@ -209,8 +209,8 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"version", k_version},
                {"evolve", report.evolve},
                {"unfold", report.unfold},
-               {"unfold_before", report.unfold_before},
-               {"as_designed", report.as_designed},
+               {"unfold_before", report.design_least_stretch},
+               {"as_designed", report.design_pattern},
                {"limits", report.unfold.limits},
                {"candidates", marked(report.candidates())},
                {"ways", ways_of(report.ways, report.unfold.unit)},
@@ -233,7 +233,7 @@ void to_json(Json& json, const CompareReport& report) {
   json = {{"name", report.name},
           {"version", k_version},
           {"input", report.before},
-          {"unfold_before", report.unfold_before},
+          {"unfold_before", report.design_least_stretch},
           {"best", best ? Json(name_of(report.runs[*best].run.method)) : Json(nullptr)},
           {"runs", std::move(runs)},
           {"cautions", to_json(report.cautions, report.unit)}};

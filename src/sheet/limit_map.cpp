@@ -6,20 +6,13 @@
 #include <planish/draw/color.h>
 
 #include "core/number_text.h"
+#include "flatten/strain_limit_text.h"
 
 namespace planish {
 
 namespace {
 
 constexpr int k_within = k_limit_bands - 1;  // bands up to the limit
-
-bool is_of_stretch(StrainLimitKind kind) {
-  return kind == StrainLimitKind::max_stretch || kind == StrainLimitKind::p99_stretch;
-}
-
-bool is_of_compression(StrainLimitKind kind) {
-  return kind == StrainLimitKind::max_compression || kind == StrainLimitKind::p99_compression;
-}
 
 }  // namespace
 
@@ -29,45 +22,32 @@ double MapLimit::weight_of_stretch() const {
   return compression < k_no_limit ? compression / stretch : all;
 }
 
-std::optional<MapLimit> limit_of_edges(std::span<const StrainLimitCheck> checks) {
-  const StrainLimitCheck* stretch = nullptr;
-  const StrainLimitCheck* compression = nullptr;
-  const auto look = [](const StrainLimitCheck*& smallest, const StrainLimitCheck& check) {
-    if (smallest == nullptr || check.asked < smallest->asked) smallest = &check;
+std::optional<MapLimit> limit_of_edges(std::span<const LimitCheck> checks) {
+  const LimitCheck* stretch = nullptr;
+  const LimitCheck* compression = nullptr;
+  const auto look = [](const LimitCheck*& smallest, const LimitCheck& check) {
+    if (smallest == nullptr || check.limit < smallest->limit) smallest = &check;
   };
-  for (const StrainLimitCheck& check : checks) {
-    if (check.kind == StrainLimitKind::rms) continue;
-    if (!is_of_compression(check.kind)) look(stretch, check);
-    if (!is_of_stretch(check.kind)) look(compression, check);
+  for (const LimitCheck& check : checks) {
+    if (check.what == Criterion::rms_strain) continue;
+    if (bounded_part(check.what) != "compression") look(stretch, check);
+    if (bounded_part(check.what) != "stretch") look(compression, check);
   }
   if (stretch == nullptr && compression == nullptr) return std::nullopt;
   MapLimit limit;
-  if (stretch != nullptr) limit.stretch = stretch->asked;
-  if (compression != nullptr) limit.compression = compression->asked;
+  if (stretch != nullptr) limit.stretch = stretch->limit;
+  if (compression != nullptr) limit.compression = compression->limit;
   limit.words = limit_words(stretch != nullptr ? *stretch : *compression);
   if (stretch != nullptr && compression != nullptr && stretch != compression)
     limit.words += ", and " + limit_words(*compression);
   return limit;
 }
 
-std::string limit_words(const StrainLimitCheck& limit) {
-  std::string share = fixed_text(100.0 * limit.asked, 6) + " %" +
-                      (is_of_stretch(limit.kind)       ? " of stretch"
-                       : is_of_compression(limit.kind) ? " of compression"
-                                                       : "");
-  switch (limit.kind) {
-    case StrainLimitKind::max:
-    case StrainLimitKind::max_stretch:
-    case StrainLimitKind::max_compression:
-      return share + ", for every edge";
-    case StrainLimitKind::p99:
-    case StrainLimitKind::p99_stretch:
-    case StrainLimitKind::p99_compression:
-      return share + ", on 99 % of the area";
-    case StrainLimitKind::rms:
-      return share + ", rms";
-  }
-  return share;
+std::string limit_words(const LimitCheck& limit) {
+  return fixed_text(100.0 * limit.limit, 6) + " %" + side_words(limit.what) +
+         (limit.what == Criterion::rms_strain ? ", rms"
+          : is_of_area(limit.what)            ? ", on 99 % of the area"
+                                              : ", for every edge");
 }
 
 int limit_band(double strain, const MapLimit& limit) {

@@ -28,10 +28,10 @@ struct MapLimit {
 
 /// Of the limits for single edges, for every one or for those on 99 % of the area, the smaller.
 /// Nothing where there is none; a limit of the rms is for no place.
-std::optional<MapLimit> limit_of_edges(std::span<const StrainLimitCheck> checks);
+std::optional<MapLimit> limit_of_edges(std::span<const LimitCheck> checks);
 
 /// The limit in words: "5 %, for every edge".
-std::string limit_words(const StrainLimitCheck& limit);
+std::string limit_words(const LimitCheck& limit);
 
 /// The band of a strain, 0 to 10; the last exactly where its size is above its limit. NaN counts as
 /// no strain.

@@ -185,14 +185,14 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const PatternOptio
   const std::string form = "the form " + facts.form_faults;
   if (unfold.limits.empty()) return verdict_without_limit(facts);
   const auto missed = std::find_if(unfold.limits.begin(), unfold.limits.end(),
-                                   [](const StrainLimitCheck& limit) { return !limit.kept(); });
+                                   [](const LimitCheck& limit) { return !limit.met; });
   if (missed == unfold.limits.end())
     return Verdict{"keeps the limit " + limit_words(unfold.limits.front()) +
                        (is_bad                   ? ", but " + form
                         : facts.cautions.empty() ? ""
                                                  : ", but see the mesh: " + facts.cautions),
                    is_bad};
-  return Verdict{"Beyond the limit " + limit_words(*missed) + ": " + percent_text(missed->reached),
+  return Verdict{"Beyond the limit " + limit_words(*missed) + ": " + percent_text(missed->value),
                  true};
 }
 

@@ -4,7 +4,7 @@
 
 #include "core/buffer.h"
 #include "core/thread_pool.h"
-#include "solve/lanes/front_strips.h"
+#include "solve/simd/front_strips.h"
 
 namespace planish {
 

@@ -12,7 +12,7 @@
 #include "core/buffer.h"
 #include "core/thread_pool.h"
 #include "solve/front.h"
-#include "solve/lanes/panel_products.h"
+#include "solve/simd/panel_products.h"
 #include "solve/subtrees.h"
 #include "solve/supernodes.h"
 

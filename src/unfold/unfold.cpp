@@ -197,8 +197,8 @@ Pattern unfold_half(const Patch& half, const SymmetricWhole& whole, const Unfold
   const auto of_half = [&](std::vector<Vec2>& positions) {
     if (!positions.empty()) positions.resize(half.vertex_count());
   };
-  of_half(pattern.unmatched);
-  of_half(pattern.unlimited);
+  of_half(pattern.unmatched_least_stretch);
+  of_half(pattern.least_stretch);
   if (pattern.opened && pattern.opened->vertex >= half.vertex_count()) {
     const auto found = std::find(whole.image.begin(), whole.image.end(), pattern.opened->vertex);
     pattern.opened->vertex = static_cast<Index>(found - whole.image.begin());
@@ -257,7 +257,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     auto matched =
         with_matched_border(disk, *border, flat, options.max_iterations, pool, after_step);
     if (matched) {
-      pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
+      pattern.unmatched_least_stretch = in_mesh_order(patch, disk, flat.flat);
       flat = *std::move(matched);
     } else {
       leave_unmatched(options);
@@ -280,7 +280,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   if (!options.least_stretch && other.iterations == flat.iterations)
     other = with_stretch_spread(patch.mesh(), disk, system_now(), flat, options.limits, after_step);
   if (other.iterations > flat.iterations) {
-    pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
+    pattern.least_stretch = in_mesh_order(patch, disk, flat.flat);
     flat = std::move(other);
   }
 

@@ -73,9 +73,8 @@ struct LimitsOfEdges {
 /// How much of the limit is used up of which that share is largest: above 1 beyond it.
 double largest_share(const StrainLimits& limits, const EdgeStrain& strain) {
   double share = 0.0;
-  for (const StrainLimitKind kind : k_strain_limit_kinds) {
-    if (kind == StrainLimitKind::rms || limits.of(kind) == 0.0) continue;
-    share = std::max(share, figure_of(strain, kind) / limits.of(kind));
+  for (const LimitCheck& check : check_limits(strain, limits)) {
+    if (check.what != Criterion::rms_strain) share = std::max(share, check.value / check.limit);
   }
   return share;
 }

@@ -27,8 +27,8 @@ FinishedPatch results() {
   patch.unfold.strain = {0.03, 1e-17, 0.02, {7, 9}};
   patch.unfold.border_strain = 0.004;
   patch.unfold.unmatched_strain = EdgeStrain{0.05, 0.006, 0.04, {1, 2}};
-  patch.unfold.limits = {{StrainLimitKind::p99, 0.08, 0.09, 0.01, {3, 4}, {1.5, -2.5, 3.5}},
-                         {StrainLimitKind::rms, 0.01, 0.02, 0.5, {5, 6}, {}}};
+  patch.unfold.limits = {{Criterion::p99_strain, 0.08, 0.09, false, 0.01, {3, 4}, {1.5, -2.5, 3.5}},
+                         {Criterion::rms_strain, 0.01, 0.02, false, 0.5, {5, 6}, {}}};
   patch.deviation = {0.7, 1.9, 1e-4};
   patch.stop = StopReason::angle_limit;
   patch.twin_of = TwinOf{"left \u00FC", true};
@@ -116,7 +116,7 @@ TEST_F(ProductState, RefusesFiguresThatOneIsMissingFrom) {
   write_job(whole);
   EXPECT_TRUE(is_kept());
   for (const char* figure : {"", "/1", "/2", "/3", "/7/0/1", "/4", "/1/0", "/1/5", "/1/0/1",
-                             "/1/1/3", "/1/4/2", "/1/5/1/5/2", "/6/0/3", "/4/1"})
+                             "/1/1/3", "/1/4/2", "/1/5/1/6/2", "/6/0/3", "/4/1"})
     EXPECT_TRUE(refuses_without(Json::json_pointer("/figures" + std::string(figure)))) << figure;
 }
 

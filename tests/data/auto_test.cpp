@@ -63,7 +63,7 @@ TEST(AutoOnPatches, IsNearerTheMoreStrainThereMayBe) {
     const Ended flat = run(mesh, Auto{});
     Ended last = flat, last_apart = flat;
     for (const double limit : {0.02, 0.05, 0.1, 0.2}) {
-      const Ended ended = run(mesh, Auto{.max_strain = limit});
+      const Ended ended = run(mesh, Auto{.limits = {.max = limit}});
       EXPECT_EQ(ended.stop, StopReason::strain_met) << limit;
       EXPECT_LT(ended.deviation, flat.deviation) << limit;
       EXPECT_GT(ended.strain, last.strain) << limit;
@@ -84,7 +84,7 @@ TEST(AutoOnPatches, IsNearerThanLeastNormAtItsStrain) {
         {Update::direct, 0.14}, {Update::uniform, 0.02}, {Update::cotangent, 0.0}};
     for (const auto& [update, limit] : limits) {
       const Ended theirs = run(mesh, LeastNorm{.update = update});
-      const Ended ours = run(mesh, Auto{.max_strain = limit});
+      const Ended ours = run(mesh, Auto{.limits = {.max = limit}});
       EXPECT_LT(ours.strain, std::max(theirs.strain, 1e-4)) << limit;
       EXPECT_LT(ours.deviation, theirs.deviation) << limit;
     }
@@ -96,7 +96,7 @@ TEST(FlattenOnPatches, KeepsTheAimByThePatternNotByTheEstimate) {
   for (const PatchFacts& facts : patches()) {
     if (facts.path.stem() != "mhf_calf_raw4k") continue;
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const auto report = flatten(Patch(mesh), "calf", pick(5));
+    const auto report = flatten(Patch(mesh), "calf", preset_options(5));
     EXPECT_EQ(report.evolve.result.stop, StopReason::strain_met);
     EXPECT_LE(report.unfold.strain.rms, k_unmeasurable_strain);
     EXPECT_TRUE(report.evolve.fairness.bends_little());

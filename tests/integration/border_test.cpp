@@ -418,7 +418,7 @@ TEST(Auto, KeepsBordersWhereTheyMayBeWhenEndedOnACoarseLevel) {
 
 TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
   const TriMesh mesh = make_shape("panel", 6500);
-  Evolver evolver(Patch(mesh), Auto{.max_strain = 0.004, .prefer = Prefer::near});
+  Evolver evolver(Patch(mesh), Auto{.limits = {.max = 0.004}, .prefer = Prefer::near});
   for (int i = 0; i < 12; ++i)
     evolver.step();
   evolver.prolong_to_finest();

@@ -64,8 +64,9 @@ PLANISH_PROPERTY(UnfoldProperty, GivesTheSameBitsAtEverySizeOfAPowerOfTwo, 100) 
 
 PLANISH_PROPERTY(UnfoldProperty, FlatteningGivesTheSameBitsOnAnyNumberOfThreads, 30) {
   const TriMesh mesh = meshes::rough_grid(6, 6, *rc::gen::arbitrary<std::uint32_t>(), 0.2, 0.2);
-  const auto one = flatten(Patch(mesh), "a", pick(5), {.threads = 1});
-  const auto other = flatten(Patch(mesh), "a", pick(5), {.threads = *rc::gen::inRange(2U, 6U)});
+  const auto one = flatten(Patch(mesh), "a", preset_options(5), {.threads = 1});
+  const auto other =
+      flatten(Patch(mesh), "a", preset_options(5), {.threads = *rc::gen::inRange(2U, 6U)});
   RC_ASSERT(one.processed.positions() == other.processed.positions());
   RC_ASSERT(one.unfold.pattern.positions == other.unfold.pattern.positions);
 }

@@ -15,7 +15,7 @@ inline CompareReport comparison() {
   report.name = "front panel";
   report.input = one.input;
   report.before = one.evolve.before;
-  report.unfold_before = one.unfold_before;
+  report.design_least_stretch = one.design_least_stretch;
 
   ComparedMethod better{{ControllableLaplacian{}, {}}, one.evolve, one.unfold, {}};
   better.evolve->method = ControllableLaplacian{};

@@ -81,10 +81,10 @@ inline FlattenReport flatten_report() {
   report.unfold = plane_below(report.processed.mesh(), 30.0, 20.0);
   report.unfold.strain = {0.3187, 0.0761, 0.2143, {}, 0.3187, 0.2143, 0.25, 0.1875};
   report.unfold.pattern.area_ratio = 1.0021;
-  report.unfold_before = plane_below(report.input.mesh(), 30.5, 20.5);
-  report.unfold_before.strain = {0.3241, 0.0763, 0.2213, {}, 0.3241, 0.2213, 0.25, 0.1875};
-  report.unfold_before.pattern.area_ratio = 1.0034;
-  report.as_designed = report.unfold_before;
+  report.design_least_stretch = plane_below(report.input.mesh(), 30.5, 20.5);
+  report.design_least_stretch.strain = {0.3241, 0.0763, 0.2213, {}, 0.3241, 0.2213, 0.25, 0.1875};
+  report.design_least_stretch.pattern.area_ratio = 1.0034;
+  report.design_pattern = report.design_least_stretch;
   return report;
 }
 

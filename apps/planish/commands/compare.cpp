@@ -67,7 +67,7 @@ std::string line_of(const std::string& name, const Flattenability& figures,
 
 /// The figures of one of several files for people: a line for the input and for each method.
 std::string lines_of(const CompareReport& report) {
-  std::string text = line_of("input", report.before.figures, report.unfold_before, "");
+  std::string text = line_of("input", report.before.figures, report.design_least_stretch, "");
   for (const ComparedMethod& method : report.runs) {
     const std::string name(name_of(method.run.method));
     text += std::string(27, ' ');

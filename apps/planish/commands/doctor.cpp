@@ -12,7 +12,7 @@
 #include <planish_json/json.h>
 
 #include "commands/commands.h"
-#include "core/lanes/isa.h"
+#include "core/simd/isa.h"
 #include "platform/memory.h"
 #include "platform/path.h"
 #include "platform/processors.h"

@@ -59,13 +59,13 @@ FlagGroup frontier_flags() {
 }
 
 /// The limit that --max-strain or --material names.
-std::optional<double> limit_from(const Arguments& arguments) {
+StrainLimits limit_from(const Arguments& arguments) {
   if (arguments.has("--material")) return one_limit_of_material(arguments);
-  if (!arguments.has("--max-strain")) return std::nullopt;
+  if (!arguments.has("--max-strain")) return {};
   const double limit = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
                                       Quantity::share, {0.0, 1.0}, arguments);
   if (limit == 0.0) throw UsageError("--max-strain is 0 but must be more: the curve ends there");
-  return limit;
+  return {.max = limit};
 }
 
 std::vector<CompareRun> others_from(const Arguments& arguments) {
@@ -101,8 +101,7 @@ FrontierOptions options_from(const Arguments& arguments) {
   FrontierOptions options;
   if (arguments.has("--points"))
     options.points = whole_number_of("--points", arguments.flags.at("--points"), k_points);
-  options.limit = limit_from(arguments);
-  options.limit_of_area = arguments.has("--material");
+  options.limits = limit_from(arguments);
   options.others = others_from(arguments);
   options.unit = unit_from(arguments);
   return options;

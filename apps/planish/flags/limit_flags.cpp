@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <planish/unfold/material_fit.h>
+#include <planish/measure/material.h>
 
 #include "flags/material_flag.h"
 #include "flags/quantities.h"
@@ -14,7 +14,7 @@ namespace planish::cli {
 
 namespace {
 
-constexpr std::string_view k_of_area = "@p99";
+constexpr std::string_view k_area_suffix = "@p99";
 constexpr Range k_strain = {0.0, k_largest_strain_limit};
 
 double share_above_0(const std::string& flag, const std::string& text, const Arguments& arguments) {
@@ -52,7 +52,7 @@ StrainLimits limits_from(const Arguments& arguments) {
     std::string text = arguments.flags.at("--max-strain");
     const std::size_t at = text.find('@');
     const bool is_of_area = at != std::string::npos;
-    if (is_of_area && std::string_view(text).substr(at) != k_of_area) {
+    if (is_of_area && std::string_view(text).substr(at) != k_area_suffix) {
       throw UsageError("--max-strain is \"" + text +
                        "\" but must be for every edge, as 5%, or for 99 % of the area, as 5%@p99");
     }
@@ -66,11 +66,11 @@ StrainLimits limits_from(const Arguments& arguments) {
   return limits;
 }
 
-CommandResult with_limits_checked(CommandResult outcome, std::span<const StrainLimitCheck> checks) {
+CommandResult with_limits_checked(CommandResult outcome, std::span<const LimitCheck> checks) {
   if (all_kept(checks) || outcome.exit_code != k_exit_done) return outcome;
   outcome.exit_code = k_exit_target_missed;
-  for (const StrainLimitCheck& check : checks) {
-    if (check.kept()) continue;
+  for (const LimitCheck& check : checks) {
+    if (check.met) continue;
     outcome.complaint += (outcome.complaint.empty() ? "" : " ") + strain_limit_text(check);
   }
   return outcome;

@@ -19,6 +19,6 @@ std::vector<Flag> limit_flags();
 StrainLimits limits_from(const Arguments& arguments);
 
 /// Ends with exit code 3 where a limit is not kept.
-CommandResult with_limits_checked(CommandResult outcome, std::span<const StrainLimitCheck> checks);
+CommandResult with_limits_checked(CommandResult outcome, std::span<const LimitCheck> checks);
 
 }  // namespace planish::cli

@@ -1,6 +1,6 @@
 #include "flags/material_flag.h"
 
-#include <planish/unfold/material_fit.h>
+#include <planish/measure/material.h>
 
 #include "model/material_file.h"
 #include "shell/failures.h"
@@ -49,14 +49,14 @@ std::string material_name_from(const Arguments& arguments) {
   return material ? material->name : "";
 }
 
-double one_limit_of_material(const Arguments& arguments) {
+StrainLimits one_limit_of_material(const Arguments& arguments) {
   const Material material = material_from(arguments).value();
   const StrainLimits limits = limits_of(material);
   if (limits != StrainLimits{.p99 = limits.p99}) {
     throw UsageError("--material " + material.name +
                      " has more limits than one, and the curve marks one: give --max-strain");
   }
-  return limits.p99;
+  return limits;
 }
 
 }  // namespace planish::cli

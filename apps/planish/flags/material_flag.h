@@ -25,8 +25,8 @@ std::optional<Material> material_from(const Arguments& arguments);
 /// @throws as material_from()
 std::string material_name_from(const Arguments& arguments);
 
-/// The limit of strain of the material of --material, where it has no other one.
+/// The limits of the material of --material, where it is one limit.
 /// @throws UsageError for one that has several; as material_from()
-double one_limit_of_material(const Arguments& arguments);
+StrainLimits one_limit_of_material(const Arguments& arguments);
 
 }  // namespace planish::cli

@@ -101,7 +101,7 @@ FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
   refuse_other_choices(arguments, number);
   if (options.method && !std::holds_alternative<Auto>(*options.method))
     throw UsageError("flag --pick goes with method auto only");
-  return pick(number, std::move(options));
+  return preset_options(number, std::move(options));
 }
 
 CommandResult with_design_checked(CommandResult outcome, const FlattenReport& report) {
@@ -109,7 +109,7 @@ CommandResult with_design_checked(CommandResult outcome, const FlattenReport& re
   outcome.exit_code = k_exit_target_missed;
   outcome.complaint = "evolving would have stretched the pattern more, to " +
                       percent(report.rejected->rms) + " rms where the design has " +
-                      percent(report.as_designed.strain.rms) +
+                      percent(report.design_pattern.strain.rms) +
                       ": the pattern of the design was written" +
                       (outcome.complaint.empty() ? "" : ". " + outcome.complaint);
   return outcome;

@@ -29,8 +29,8 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Drawing
     PatternOptions annotations = on_processed(pattern.annotations, report);
     annotations.moved.reset();
     annotations.form_faults.clear();
-    as_designed =
-        pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
+    as_designed = pattern_sheet(report.input, report.design_pattern, report.name + ", as designed",
+                                annotations);
   }
   std::vector<OutputFile> files;
   files.reserve(2 * pattern.formats.size() + 1);

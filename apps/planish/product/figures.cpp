@@ -16,9 +16,6 @@ namespace {
 constexpr StopReason last_of(StopReason) {
   return StopReason::design_kept;
 }
-constexpr StrainLimitKind last_of(StrainLimitKind) {
-  return StrainLimitKind::p99_compression;
-}
 constexpr Criterion last_of(Criterion) {
   return Criterion::flipped_triangles;
 }
@@ -145,7 +142,8 @@ std::optional<FinishedPatch> patch_of_figures(const Json& figures) try {
   const Reader reader(figures);
   with_fields(patch, reader);
   const Pattern& pattern = patch.unfold.pattern;
-  if (!pattern.unmatched.empty() || !pattern.unlimited.empty()) return std::nullopt;
+  if (!pattern.unmatched_least_stretch.empty() || !pattern.least_stretch.empty())
+    return std::nullopt;
   return patch;
 } catch (const BadFigures&) {
   return std::nullopt;

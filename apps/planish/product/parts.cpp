@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <planish/measure/material.h>
 #include <planish/mesh/repair.h>
-#include <planish/unfold/material_fit.h>
 
 #include "mesh/split.h"
 #include "model/model_flags.h"

@@ -105,11 +105,9 @@ std::string text_of(const Json& json) {
 
 std::string text_of(const StrainLimits& limits) {
   std::string text;
-  for (const StrainLimitKind kind : k_strain_limit_kinds) {
-    if (limits.of(kind) == 0.0) continue;
-    text +=
-        (text.empty() ? "" : ", ") + std::string(to_string(kind)) + " " + shortest(limits.of(kind));
-  }
+  for (const LimitCheck& check : check_limits(EdgeStrain{}, limits))
+    text += (text.empty() ? "" : ", ") + std::string(figure_name(check.what)) + " " +
+            shortest(check.limit);
   return text;
 }
 

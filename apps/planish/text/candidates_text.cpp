@@ -42,18 +42,18 @@ std::string row(const CandidateCells& cells) {
 
 /// The numbers and names of those that were not computed and would not be the design again.
 std::string others_text(const FlattenReport& report, const std::vector<Candidate>& computed) {
-  const double least_stretch = report.unfold_before.strain.rms;
+  const double least_stretch = report.design_least_stretch.strain.rms;
   const std::optional<int> dropped =
-      report.rejected ? pick_of(*report.evolve.method) : std::nullopt;
+      report.rejected ? preset_of(*report.evolve.method) : std::nullopt;
   const auto is_computed = [&](int number) {
     return std::any_of(computed.begin(), computed.end(),
-                       [&](const Candidate& candidate) { return candidate.pick == number; });
+                       [&](const Candidate& candidate) { return candidate.preset == number; });
   };
   std::string text;
   for (int number = 1; number <= k_candidates; ++number) {
-    const bool is_design_again = pick(number).limits.rms >= least_stretch;
+    const bool is_design_again = preset_options(number).limits.rms >= least_stretch;
     if (is_computed(number) || number == dropped || is_design_again) continue;
-    text += (text.empty() ? "" : ", ") + std::to_string(number) + " (" + pick_name(number) + ")";
+    text += (text.empty() ? "" : ", ") + std::to_string(number) + " (" + preset_name(number) + ")";
   }
   return text;
 }
@@ -72,7 +72,7 @@ std::string candidate_row(const std::string& mark, const Candidate& candidate,
   const auto beside_design = [&](const std::optional<double>& value) {
     return candidate.is_design() ? "-" : ratio(value);
   };
-  const std::string number = candidate.pick ? std::to_string(*candidate.pick) + " " : "";
+  const std::string number = candidate.preset ? std::to_string(*candidate.preset) + " " : "";
   return row({left(mark, 2) + number + candidate_name(candidate), in_percent(candidate.strain.rms),
               in_percent(candidate.strain.max), lengths.number(candidate.deviation.rms),
               lengths.number(candidate.deviation.max), beside_design(form.bending_ratio),

@@ -41,7 +41,7 @@ std::string strain_cell(const std::optional<UnfoldReport>& unfold) {
 MethodCells input_cells(const CompareReport& report) {
   const Flattenability& figures = report.before.figures;
   return {short_number(figures.e_max),
-          strain_cell(report.unfold_before),
+          strain_cell(report.design_least_stretch),
           "-",
           shorter_number(k_degrees * figures.min_angle),
           "-",
@@ -102,7 +102,7 @@ std::string compare_text(const CompareReport& report) {
                        : "none; no method improved this patch without a price like needles",
                   6) +
           "\n";
-  if (!report.unfold_before) {
+  if (!report.design_least_stretch) {
     text += wrapped("No patterns, so no strain: " + report.why_no_patterns, 0) + "\n";
   }
   return text +

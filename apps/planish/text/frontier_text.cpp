@@ -25,9 +25,9 @@ std::string star_text(const FrontierReport& report) {
 }
 
 std::string limit_text(const FrontierReport& report) {
-  if (!report.limit) return {};
+  if (!report.limits.any()) return {};
   const auto within = report.first_within_limit();
-  const std::string limit = percent(*report.limit);
+  const std::string limit = percent(report.limits.both_ways());
   if (!within) return "\nNo point of the curve keeps the limit of " + limit + ".\n";
   const Candidate& point = report.curve[*within];
   return "\n" +

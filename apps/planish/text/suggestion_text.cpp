@@ -7,6 +7,7 @@
 
 #include <planish_json/json.h>
 
+#include "flatten/strain_limit_text.h"
 #include "report/json_parts.h"
 #include "shell/text.h"
 #include "text/summary.h"
@@ -44,22 +45,16 @@ std::string why_no_more(SuggestStop stop) {
 }
 
 /// What a limit of this kind does to the pattern: "strained", "stretched" or "compressed".
-std::string verb_of(StrainLimitKind kind) {
-  using Kind = StrainLimitKind;
-  if (kind == Kind::max_stretch || kind == Kind::p99_stretch) return "stretched";
-  if (kind == Kind::max_compression || kind == Kind::p99_compression) return "compressed";
-  return "strained";
+std::string verb_of(Criterion what) {
+  const std::string_view part = bounded_part(what);
+  return part == "compression" ? "compressed" : std::string(part) + "ed";
 }
 
-Json limits_json(const StrainLimits& limits, const EdgeStrain& strain) {
-  Json list = Json::array();
-  for (const StrainLimitKind kind : k_strain_limit_kinds) {
-    const double asked = limits.of(kind), reached = figure_of(strain, kind);
-    if (asked == 0.0) continue;
-    list.push_back({{"kind", to_string(kind)},
-                    {"asked", asked},
-                    {"kept", reached <= asked},
-                    {"reached", reached}});
+Json limits_json(const std::vector<LimitCheck>& checks) {
+  Json list = checks;
+  for (Json& check : list) {
+    check.erase("share_beyond");
+    check.erase("where");
   }
   return list;
 }
@@ -70,22 +65,18 @@ Json one_limit_json(const StrainLimits& limits) {
   return limits.max > 0.0 ? Json(limits.max) : Json(nullptr);
 }
 
-bool is_of_area(StrainLimitKind kind) {
-  return to_string(kind).starts_with("p99");
+std::string kept_words(const LimitCheck& check) {
+  return is_of_area(check.what) ? "99 % of the pattern's area is " + verb_of(check.what) + " by " +
+                                      percent(check.limit) + " at most"
+                                : "no edge of the pattern is " + verb_of(check.what) +
+                                      " by more than " + percent(check.limit);
 }
 
-std::string kept_words(StrainLimitKind kind, double limit) {
-  return is_of_area(kind)
-             ? "99 % of the pattern's area is " + verb_of(kind) + " by " + percent(limit) +
-                   " at most"
-             : "no edge of the pattern is " + verb_of(kind) + " by more than " + percent(limit);
-}
-
-std::string missed_words(StrainLimitKind kind, double reached) {
-  return is_of_area(kind)
-             ? "99 % of the pattern's area is still " + verb_of(kind) + " by up to " +
-                   percent(reached)
-             : "an edge of the pattern is still " + verb_of(kind) + " by " + percent(reached);
+std::string missed_words(const LimitCheck& check) {
+  return (is_of_area(check.what)
+              ? "99 % of the pattern's area is still " + verb_of(check.what) + " by up to "
+              : "an edge of the pattern is still " + verb_of(check.what) + " by ") +
+         percent(check.value) + ", the limit is " + percent(check.limit);
 }
 
 std::string joined_by_and(const std::vector<std::string>& parts) {
@@ -96,24 +87,17 @@ std::string joined_by_and(const std::vector<std::string>& parts) {
 }
 
 std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& options) {
-  const EdgeStrain& strain = suggestion.last.strain;
-  if (suggestion.met()) {
-    const std::string how = suggestion.last.pattern.overlaps ? "The limit is met: "
-                            : suggestion.cuts.empty()        ? "Met without a cut: "
-                                                             : "Met with these cuts: ";
-    std::vector<std::string> kept;
-    for (const StrainLimitKind kind : k_strain_limit_kinds) {
-      if (options.limits.of(kind) > 0.0) kept.push_back(kept_words(kind, options.limits.of(kind)));
-    }
-    return how + joined_by_and(kept) + ".";
+  std::vector<std::string> kept, missed;
+  for (const LimitCheck& check : check_limits(suggestion.last.strain, options.limits)) {
+    kept.push_back(kept_words(check));
+    if (!check.met) missed.push_back(missed_words(check));
   }
-  std::vector<std::string> missed;
-  for (const StrainLimitKind kind : k_strain_limit_kinds) {
-    const double limit = options.limits.of(kind), reached = figure_of(strain, kind);
-    if (limit > 0.0 && reached > limit)
-      missed.push_back(missed_words(kind, reached) + ", the limit is " + percent(limit));
-  }
-  return "Not met: " + joined_by_and(missed) + "; " + why_no_more(suggestion.stop) + ".";
+  if (!suggestion.met())
+    return "Not met: " + joined_by_and(missed) + "; " + why_no_more(suggestion.stop) + ".";
+  const std::string how = suggestion.last.pattern.overlaps ? "The limit is met: "
+                          : suggestion.cuts.empty()        ? "Met without a cut: "
+                                                           : "Met with these cuts: ";
+  return how + joined_by_and(kept) + ".";
 }
 
 /// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
@@ -172,22 +156,23 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
                     {"strain_before", cut.before},
                     {"strain_after", cut.after}});
   }
-  const Json object = {{"version", k_version},
-                       {"unit", to_string(unit)},
-                       {"max_strain", one_limit_json(options.limits)},
-                       {"limit_of_area", options.limits.p99 > 0.0},
-                       {"limits", limits_json(options.limits, suggestion.last.strain)},
-                       {"met", suggestion.met()},
-                       {"stop", to_string(suggestion.stop)},
-                       {"divide_at", place_json(suggestion)},
-                       {"cuts", std::move(cuts)},
-                       {"edges", suggestion.last.cut.edges},
-                       {"length", suggestion.last.cut.length},
-                       {"strain_before", suggestion.first.strain},
-                       {"strain", suggestion.last.strain},
-                       {"overlaps", suggestion.last.pattern.overlaps},
-                       {"cautions", to_json(suggestion.cautions, unit)},
-                       {"files", Json(files)}};
+  const Json object = {
+      {"version", k_version},
+      {"unit", to_string(unit)},
+      {"max_strain", one_limit_json(options.limits)},
+      {"limit_of_area", options.limits.p99 > 0.0},
+      {"limits", limits_json(check_limits(suggestion.last.strain, options.limits))},
+      {"met", suggestion.met()},
+      {"stop", to_string(suggestion.stop)},
+      {"divide_at", place_json(suggestion)},
+      {"cuts", std::move(cuts)},
+      {"edges", suggestion.last.cut.edges},
+      {"length", suggestion.last.cut.length},
+      {"strain_before", suggestion.first.strain},
+      {"strain", suggestion.last.strain},
+      {"overlaps", suggestion.last.pattern.overlaps},
+      {"cautions", to_json(suggestion.cautions, unit)},
+      {"files", Json(files)}};
   return json_document(object) + "\n";
 }
 

@@ -286,8 +286,8 @@ std::string unlimited_lines(const UnfoldReport& report) {
                                    strain.max > (1.0 - same) * report.unlimited_strain->max))
     return {};
   const bool is_for_limit =
-      std::any_of(report.limits.begin(), report.limits.end(), [&](const StrainLimitCheck& check) {
-        return figure_of(*report.unlimited_strain, check.kind) > check.asked;
+      std::any_of(report.limits.begin(), report.limits.end(), [&](const LimitCheck& check) {
+        return figure_of(*report.unlimited_strain, check.what) > check.limit;
       });
   const std::string why = is_for_limit ? "evened out to keep the limit" : "spread";
   return "              " + why + "; with least stretch it would be\n              rms " +
@@ -316,8 +316,8 @@ std::string choices_text(const FlattenReport& report) {
 }
 
 /// What the verdict does not say of the limits: more than that the only one is kept.
-std::string limits_to_tell(const std::vector<StrainLimitCheck>& limits) {
-  const bool is_said = limits.size() == 1 && limits.front().kept();
+std::string limits_to_tell(const std::vector<LimitCheck>& limits) {
+  const bool is_said = limits.size() == 1 && limits.front().met;
   return limits.empty() || is_said ? "" : wrapped(strain_limits_text(limits), 0) + "\n\n";
 }
 

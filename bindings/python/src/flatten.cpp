@@ -153,7 +153,7 @@ py::bytes drawing_of_flatten(const FlattenResult& result, const std::string& for
   if (as_designed) {
     own.annotations.moved.reset();
     own.annotations.form_faults.clear();
-    return drawing_of({report.input, report.input, report.as_designed,
+    return drawing_of({report.input, report.input, report.design_pattern,
                        report.name + ", as designed", std::move(own)},
                       format, keywords);
   }
@@ -308,7 +308,7 @@ void register_flatten(py::module_& module) {
                              "Places before, remeshed or smoothed if that was asked for, shape "
                              "(n, 3), model units; a read-only view.")
       .def_property_readonly("uv_as_designed",
-                             view_at<&Result::report, &FlattenReport::as_designed,
+                             view_at<&Result::report, &FlattenReport::design_pattern,
                                      &UnfoldReport::pattern, &Pattern::positions>,
                              "The pattern of the design, shape (n, 2), model units; a read-only "
                              "view.")

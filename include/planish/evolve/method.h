@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <planish/core/range.h>
+#include <planish/measure/limit_check.h>
 
 namespace planish {
 
@@ -326,8 +327,8 @@ struct Auto {
   static constexpr std::string_view name = "auto";
   static constexpr int usual_sweeps = 1000;
   static constexpr bool honours_weights = true, honours_obstacle = false;
-  double max_strain = 0.0;
-  double max_rms_strain = 0.0;
+  /// Of a pattern, by an estimate of the surface's strain: StrainLimits::of_form() counts.
+  StrainLimits limits = {};
   double max_deviation = std::numeric_limits<double>::infinity();
   double min_angle = 0.0;
   double max_bending = 0.0;
@@ -338,11 +339,11 @@ struct Auto {
 
 template <class Visit>
 void describe(Auto& o, Visit&& visit) {
-  visit("max_strain", o.max_strain,
+  visit("max_strain", o.limits.max,
         "change the form as little as it takes until no edge of a pattern has to stretch by more "
         "than this, as a share of length",
         Range{0.0, 1.0});
-  visit("max_rms_strain", o.max_rms_strain,
+  visit("max_rms_strain", o.limits.rms,
         "the same by the root mean square of the strain, which a few positions with more do not "
         "decide",
         Range{0.0, 1.0});

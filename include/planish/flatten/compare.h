@@ -35,14 +35,14 @@ struct ComparedMethod {
 
 /// Several methods, each tried on the same patch.
 struct CompareReport {
-  std::string name;                           ///< of the patch, for titles
-  Patch input;                                ///< on which every method began
-  MeasuredPatch before;                       ///< figures of the input
-  std::optional<UnfoldReport> unfold_before;  ///< of the input itself
-  std::string why_no_patterns;                ///< where the input cannot be laid flat
-  std::vector<ComparedMethod> runs;           ///< in the order asked for
-  Unit unit = Unit::mm;                       ///< one unit of the model
-  std::vector<Caution> cautions;              ///< what the mesh of the input cannot show
+  std::string name;                                  ///< of the patch, for titles
+  Patch input;                                       ///< on which every method began
+  MeasuredPatch before;                              ///< figures of the input
+  std::optional<UnfoldReport> design_least_stretch;  ///< of the input itself
+  std::string why_no_patterns;                       ///< where the input cannot be laid flat
+  std::vector<ComparedMethod> runs;                  ///< in the order asked for
+  Unit unit = Unit::mm;                              ///< one unit of the model
+  std::vector<Caution> cautions;                     ///< what the mesh of the input cannot show
 };
 
 /// Runs one method after the other, so that none takes time from another, each on the patch as it

@@ -15,6 +15,7 @@
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
+#include <planish/measure/limit_check.h>
 #include <planish/measure/obstruction.h>
 #include <planish/mesh/inspect.h>
 #include <planish/unfold/strain.h>
@@ -64,41 +65,6 @@ struct SmoothingSummary {
 struct SmoothedDesign {
   Patch patch;            ///< with the triangles of the raw design
   SmoothingSummary done;  ///< how much smoothing changed
-};
-
-/// What a result can miss: first what was asked for, then what every pattern must have.
-enum class Criterion {
-  strain,              ///< the limit on the strain of every edge
-  p99_strain,          ///< the limit on the strain of 99 % of the area
-  rms_strain,          ///< the limit on the root mean square of the strain
-  stretch,             ///< the limit on the stretch of the sheet at every edge
-  p99_stretch,         ///< the limit on its stretch on 99 % of the area
-  compression,         ///< the limit on the compression of the sheet at every edge
-  p99_compression,     ///< the limit on its compression on 99 % of the area
-  deviation,           ///< the limit on how far vertices move
-  angle,               ///< the limit on the smallest angle
-  e_max,               ///< the target of e_max
-  bending,             ///< the limit on bending
-  rejected,            ///< evolving stretched the pattern more, so the design is the result
-  failure,             ///< there is no result
-  size,                ///< the pattern is too small to be a piece in the unit given
-  stretched,           ///< the form was changed without a limit of strain and does not lie flat
-  crumpled,            ///< the form is rippled or crumpled
-  form,                ///< the form is not kept: hills, hollows, edges or height lost, or dented
-  fold,                ///< the form has a new fold in one place
-  self_intersections,  ///< the form intersects itself more than the design does
-  overlap,             ///< the pattern overlaps itself
-  flipped_triangles,   ///< triangles of the pattern are flipped over
-};
-/// The word of JSON and Python: "p99_strain".
-std::string_view to_string(Criterion criterion);
-
-/// A limit or target that was asked for, and whether the result keeps it.
-struct LimitCheck {
-  Criterion what = Criterion::strain;  ///< that is limited; one of those up to `bending`
-  double limit = 0.0;  ///< a share of length, model units, degrees, radians, a ratio
-  double value = 0.0;  ///< what the result has: the largest, of angles the smallest
-  bool met = false;    ///< value within limit
 };
 
 /// What is wrong with a form.
@@ -161,7 +127,7 @@ struct UnfoldReport {
   /// Where border edges keep their lengths: the strain of least stretch without that.
   std::optional<EdgeStrain> unmatched_strain = {};
   /// One for each limit of strain that was asked for.
-  std::vector<StrainLimitCheck> limits = {};
+  std::vector<LimitCheck> limits = {};
   /// Where a limit changed the pattern, or spreading: the strain of the one of least stretch.
   std::optional<EdgeStrain> unlimited_strain = {};
   std::optional<Overlap> overlap = {};  ///< where pattern.overlaps
@@ -224,7 +190,7 @@ struct StrainAsDesigned {
   /// Of all edges, smallest_limit(); nothing above k_most_searched vertices.
   std::optional<double> smallest_limit = {};
   /// One for each limit that was asked for: of the pattern that keeps them best.
-  std::vector<StrainLimitCheck> limits = {};
+  std::vector<LimitCheck> limits = {};
   Pattern pattern = {};  ///< of least stretch
 
   /// Patches with more vertices have no search for the smallest limit, which takes some 15 times as
@@ -235,9 +201,9 @@ struct StrainAsDesigned {
 /// A surface to choose from, and what it costs.
 struct Candidate {
   Method method;  ///< of the run, with its limits among the options; of the design it is idle
-  /// The place in the fixed order of candidates, from 1, as pick() takes it; none where other
-  /// limits were asked for.
-  std::optional<int> pick = {};
+  /// The place in the fixed order of candidates, from 1, as preset_options() takes it; none where
+  /// other limits were asked for.
+  std::optional<int> preset = {};
   StopReason stop = StopReason::sweep_limit;  ///< why the run ended; of the design design_kept
   std::size_t sweeps = 0;                     ///< that the run made
   double seconds = 0.0;                       ///< of evolving
@@ -265,16 +231,16 @@ inline constexpr int k_candidates = static_cast<int>(k_candidate_strains.size())
 /// @param options all that has nothing to do with the choice, and limits that the design's pattern
 ///   is to keep; the other candidates have none but their own
 /// @throws Error option_out_of_range
-FlattenOptions pick(int number, FlattenOptions options = {});
+FlattenOptions preset_options(int number, FlattenOptions options = {});
 
-/// The number of what a run with this method was asked for, as of pick(); none where it is not of
-/// the fixed order. The design, for which no method runs, has 1.
-std::optional<int> pick_of(const Method& method);
+/// The number of what a run with this method was asked for, as of preset_options(); none where it
+/// is not of the fixed order. The design, for which no method runs, has 1.
+std::optional<int> preset_of(const Method& method);
 
 /// What the candidate of that number is called where its run keeps what it was asked for, as
 /// candidate_name(): "as designed", "0.5 % rms", "flat".
 /// @throws Error option_out_of_range
-std::string pick_name(int number);
+std::string preset_name(int number);
 
 /// What a candidate is called: "as designed", "0.5 % rms", "limit 1 %" by the largest strain,
 /// "flat", of another method its name; with ", missed" where the limit is not kept.
@@ -287,13 +253,13 @@ struct FlattenReport {
   Patch input;           ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the original patch, increasing; empty: they are the same.
   std::vector<Index> source;
-  Patch processed;             ///< the input with the evolved positions
-  EvolveReport evolve;         ///< from `input` to `processed`
-  UnfoldReport unfold;         ///< of `processed`
-  UnfoldReport unfold_before;  ///< of `input`: the difference is what evolving gained
+  Patch processed;                    ///< the input with the evolved positions
+  EvolveReport evolve;                ///< from `input` to `processed`
+  UnfoldReport unfold;                ///< of `processed`
+  UnfoldReport design_least_stretch;  ///< of `input`: the difference is what evolving gained
   /// Of `input`: the pattern that keeps the limits asked for where the result is the design, and
-  /// where there is such a one; else that of least stretch, `unfold_before`.
-  UnfoldReport as_designed;
+  /// where there is such a one; else that of least stretch, `design_least_stretch`.
+  UnfoldReport design_pattern;
   /// What keeping limits that the design misses does to the form: those of up to three materials,
   /// and 2, 1 and 0.5 % rms. Estimates of a coarser mesh, but for what this run did. Empty where
   /// constraints name vertices, and for designs of more than 500,000.

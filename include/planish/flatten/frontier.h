@@ -23,19 +23,18 @@ struct FrontierReport {
   std::vector<Candidate> curve;           ///< by flatten() with Auto, by growing rms deviation
   std::vector<Candidate> others;          ///< by other methods, in the order asked for
   std::vector<FrontierFailure> failures;  ///< runs without a result
-  std::optional<double> limit;            ///< of strain, that was asked for
-  bool limit_of_area = false;             ///< on 99 % of the area, else of every edge
+  StrainLimits limits;                    ///< that were asked for
   std::vector<Caution> cautions;          ///< what the mesh of the patch cannot show
 
-  /// The first point of the curve whose strain keeps the limit; nothing without one.
+  /// The first point of the curve whose strain keeps the limits; nothing without any.
   std::optional<std::size_t> first_within_limit() const;
 };
 
 /// Which points a frontier has.
 struct FrontierOptions {
-  std::optional<int> points = {};       ///< on the curve, at least 2; default: the usual stops
-  std::optional<double> limit = {};     ///< of strain, above 0: the curve has a point for it
-  bool limit_of_area = false;           ///< on 99 % of the area, else of every edge
+  std::optional<int> points = {};  ///< on the curve, at least 2; default: the usual stops
+  /// The curve has a point for them; texts and charts mark StrainLimits::both_ways().
+  StrainLimits limits = {};
   std::vector<CompareRun> others = {};  ///< to compare with
   Unit unit = Unit::mm;                 ///< one unit of the model, for the report
   Constraints constraints = {};         ///< for every run
@@ -54,8 +53,8 @@ void mark_dominated(FrontierReport& report);
 
 /// Runs flatten() for the patch as designed, for every limit, as smooth as can be, and to flat, and
 /// the other methods, each on the patch as designed. Of the usual stops every point is what
-/// flatten() makes of its pick(). A run that fails does not end the others, and one whose result is
-/// the design makes no point.
+/// flatten() makes of its preset_options(). A run that fails does not end the others, and one whose
+/// result is the design makes no point.
 /// @throws Error option_out_of_range; what is not a disk, as unfold(); Cancelled
 FrontierReport frontier(const Patch& patch, std::string name, const FrontierOptions& options = {},
                         const Context& context = {});

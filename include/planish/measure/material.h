@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/measure/limit_check.h>
+
 namespace planish {
 
 /// One figure of a material, and where it comes from.
@@ -38,5 +40,20 @@ const Material& material_named(std::string_view name);
 
 /// Their names, in the order of materials().
 std::vector<std::string> material_names();
+
+/// The limits of strain that a material has: those of |strain| where it gives as far in both ways,
+/// else those of stretch and of compression.
+StrainLimits limits_of(const Material& material);
+
+/// Whether a material takes the strain of a pattern, and what speaks most against it: the limit of
+/// which most is used up, of all that it has.
+struct MaterialVerdict {
+  const Material* material = nullptr;  ///< of materials()
+  bool takes = false;                  ///< whether all of its limits are kept
+  LimitCheck tightest = {};            ///< that limit; where is not known
+};
+
+/// One for each of materials(), in their order.
+std::vector<MaterialVerdict> materials_for(const EdgeStrain& strain);
 
 }  // namespace planish

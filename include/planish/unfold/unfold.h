@@ -66,10 +66,10 @@ struct Pattern {
   bool converged = false;  ///< false: stopped at max_iterations
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
-  std::vector<Vec2> unmatched = {};
+  std::vector<Vec2> unmatched_least_stretch = {};
   /// Where a limit or spreading changed the pattern: that of least stretch, with match_seams of
   /// those that match, turned and shifted somehow.
-  std::vector<Vec2> unlimited = {};
+  std::vector<Vec2> least_stretch = {};
   /// With match_seams and match_if_possible: no pattern that keeps the border's lengths was found.
   bool is_unmatchable = false;
   std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings

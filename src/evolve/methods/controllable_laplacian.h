@@ -9,7 +9,7 @@
 
 #include <planish/evolve/method.h>
 
-#include "evolve/lanes/move_stars.h"
+#include "evolve/simd/move_stars.h"
 #include "evolve/state/patch_state.h"
 #include "evolve/vertex_step/move_check.h"
 

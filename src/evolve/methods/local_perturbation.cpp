@@ -16,7 +16,7 @@
 #include "evolve/methods/local_region.h"
 #include "evolve/methods/local_step.h"
 #include "evolve/state/sweep.h"
-#include "measure/lanes/star_defects.h"
+#include "measure/simd/star_defects.h"
 
 namespace planish {
 

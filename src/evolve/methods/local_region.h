@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "core/lanes/stars.h"
+#include "core/simd/stars.h"
 
 namespace planish {
 

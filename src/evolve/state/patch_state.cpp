@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "evolve/state/spatial_order.h"
-#include "measure/lanes/star_defects.h"
+#include "measure/simd/star_defects.h"
 
 namespace planish {
 

@@ -13,7 +13,7 @@
 #include "core/buffer.h"
 #include "core/neumaier_sum.h"
 #include "core/thread_pool.h"
-#include "evolve/lanes/move_stars.h"
+#include "evolve/simd/move_stars.h"
 #include "evolve/state/visit_plan.h"
 #include "geometry/box.h"
 

@@ -8,7 +8,7 @@
 #include <planish/core/vec.h>
 
 #include "core/buffer.h"
-#include "core/lanes/stars.h"
+#include "core/simd/stars.h"
 #include "core/thread_pool.h"
 #include "evolve/state/vertex_coloring.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolve/lanes/move_stars.h"
+#include "evolve/simd/move_stars.h"
 
 namespace planish {
 

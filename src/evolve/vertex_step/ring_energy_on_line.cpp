@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/lanes/arctangent.h"
+#include "core/simd/arctangent.h"
 #include "geometry/laplacian.h"
 
 namespace planish {
@@ -114,7 +114,7 @@ RingEnergyOnLine::Ring RingEnergyOnLine::at(Vec3 x) const {
 }
 
 double RingEnergyOnLine::rounding_error(double value) const {
-  // As in lanes/ring_energy.h.
+  // As in simd/ring_energy.h.
   constexpr double e = 1e-14;
   const auto count = static_cast<double>(spokes_.size() + 1);
   return 2.0 * e * std::sqrt(count * value) + count * (e * e);

@@ -6,14 +6,14 @@
 
 #include <planish/core/vec.h>
 
-#include "core/lanes/stars.h"
-#include "evolve/lanes/move_stars.h"
+#include "core/simd/stars.h"
+#include "evolve/simd/move_stars.h"
 #include "evolve/vertex_step/minimise_on_line.h"
 
 namespace planish {
 
 /// The ring energy b of one inner vertex as it moves along its Laplacian vector, with exact
-/// derivatives. What lanes/ring_energy.h has for several vertices at once, without a model.
+/// derivatives. What simd/ring_energy.h has for several vertices at once, without a model.
 class RingEnergyOnLine {
  public:
   /// @param max_cotangent triangles whose angles are smaller than its may keep theirs

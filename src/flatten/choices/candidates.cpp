@@ -11,7 +11,7 @@ namespace {
 constexpr int k_flat = k_candidates;
 constexpr const char* k_name_of_design = "as designed";
 
-void check_pick(int number) {
+void check_preset(int number) {
   check_range("pick", number, {1.0, static_cast<double>(k_candidates)});
 }
 
@@ -33,16 +33,15 @@ Auto auto_of(const FlattenOptions& given, Prefer prefer) {
   const auto* method = given.method ? std::get_if<Auto>(&*given.method) : nullptr;
   Auto options = method != nullptr ? *method : given.as_needed;
   options.prefer = prefer;
-  options.max_strain = options.max_rms_strain = 0.0;
+  options.limits = {};
   return options;
 }
 
 /// The limit of rms strain of a run of Auto, 0 where it goes on to flattenable. Without limits a
 /// smooth surface has the default one.
 double rms_limit_of(const Auto& options) {
-  const bool has_default = options.prefer == Prefer::smooth && options.max_strain == 0.0 &&
-                           options.max_rms_strain == 0.0;
-  return has_default ? k_unmeasurable_strain : options.max_rms_strain;
+  const bool has_default = options.prefer == Prefer::smooth && !options.limits.of_form().any();
+  return has_default ? k_unmeasurable_strain : options.limits.rms;
 }
 
 /// Whether the pattern is strained as little as was asked for.
@@ -55,10 +54,10 @@ bool keeps_limits(const FlattenReport& report) {
 
 Candidate design_of(const FlattenReport& report) {
   return {.method = report.evolve.method.value_or(Auto{}),
-          .pick = 1,
+          .preset = 1,
           .stop = StopReason::design_kept,
-          .strain = report.as_designed.strain,
-          .limits_kept = all_kept(report.as_designed.limits),
+          .strain = report.design_pattern.strain,
+          .limits_kept = all_kept(report.design_pattern.limits),
           .flattenable = report.evolve.before.flattenable,
           .fairness = fairness_of_design(report.evolve.fairness)};
 }
@@ -66,7 +65,7 @@ Candidate design_of(const FlattenReport& report) {
 Candidate result_of(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   return {.method = *evolve.method,
-          .pick = pick_of(*evolve.method),
+          .preset = preset_of(*evolve.method),
           .stop = evolve.result.stop,
           .sweeps = evolve.result.history.size(),
           .seconds = evolve.result.seconds,
@@ -79,9 +78,9 @@ Candidate result_of(const FlattenReport& report) {
 
 }  // namespace
 
-std::optional<int> pick_of(const Method& method) {
+std::optional<int> preset_of(const Method& method) {
   const auto* options = std::get_if<Auto>(&method);
-  if (options == nullptr || options->max_strain > 0.0) return std::nullopt;
+  if (options == nullptr || options->limits.both_ways() > 0.0) return std::nullopt;
   if (options->prefer == Prefer::flat) return k_flat;
   if (options->prefer != Prefer::smooth) return std::nullopt;
   for (std::size_t k = 0; k < k_candidate_strains.size(); ++k) {
@@ -90,8 +89,8 @@ std::optional<int> pick_of(const Method& method) {
   return std::nullopt;
 }
 
-FlattenOptions pick(int number, FlattenOptions options) {
-  check_pick(number);
+FlattenOptions preset_options(int number, FlattenOptions options) {
+  check_preset(number);
   options.method = auto_of(options, number == k_flat ? Prefer::flat : Prefer::smooth);
   options.keep_design = number == 1;
   if (!options.keep_design) options.limits = {};
@@ -106,8 +105,8 @@ std::vector<Candidate> FlattenReport::candidates() const {
   return all;
 }
 
-std::string pick_name(int number) {
-  check_pick(number);
+std::string preset_name(int number) {
+  check_preset(number);
   if (number == 1) return k_name_of_design;
   if (number == k_flat) return "flat";
   return rms_name(k_candidate_strains[static_cast<std::size_t>(number) - 2]);
@@ -118,7 +117,8 @@ std::string candidate_name(const Candidate& candidate) {
   const auto* options = std::get_if<Auto>(&candidate.method);
   if (options == nullptr) return std::string(name_of(candidate.method));
   const std::string end = candidate.limits_kept ? "" : ", missed";
-  if (options->max_strain > 0.0) return "limit " + short_percent(options->max_strain) + end;
+  if (const double limit = options->limits.both_ways(); limit > 0.0)
+    return "limit " + short_percent(limit) + end;
   const double rms = rms_limit_of(*options);
   if (rms > 0.0) return rms_name(rms) + end;
   return candidate.flattenable ? "flat" : "as flat as it gets";

@@ -61,9 +61,9 @@ CoarseStrain coarse_strain(const CoarseJob& job, const StrainOfDesign& design,
 }  // namespace
 
 StrainLimits CoarseStrain::scaled(StrainLimits limits) const {
-  for (const StrainLimitKind kind : k_strain_limit_kinds) {
-    const double scale = kind == StrainLimitKind::rms ? rms : of_edges;
-    limits.of(kind) = std::min(scale * limits.of(kind), k_largest_strain_limit);
+  for (const Criterion what : k_strain_criteria) {
+    const double scale = what == Criterion::rms_strain ? rms : of_edges;
+    limits.of(what) = std::min(scale * limits.of(what), k_largest_strain_limit);
   }
   return limits;
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include <planish/unfold/material_fit.h>
+#include <planish/measure/material.h>
 
 #include "core/job.h"
 #include "core/neumaier_sum.h"
@@ -23,8 +23,7 @@ constexpr std::array k_rms_limits = {0.02, 0.01, 0.005};
 /// Whether what was asked for is one thing: what a material takes, or one limit.
 bool is_one_way(const StrainLimits& limits, const std::string& material) {
   if (!material.empty()) return limits.rms == 0.0;
-  return std::count_if(k_strain_limit_kinds.begin(), k_strain_limit_kinds.end(),
-                       [&](StrainLimitKind kind) { return limits.of(kind) > 0.0; }) == 1;
+  return check_limits(EdgeStrain{}, limits).size() == 1;
 }
 
 /// What could be asked for and is missed.
@@ -118,8 +117,8 @@ std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
 
 std::vector<Way> with_result(std::vector<Way> ways, const FlattenReport& report) {
   StrainLimits asked;
-  for (const StrainLimitCheck& check : report.unfold.limits)
-    asked.of(check.kind) = check.asked;
+  for (const LimitCheck& check : report.unfold.limits)
+    asked.of(check.what) = check.limit;
   if (!is_one_way(asked, report.material)) return ways;
   Way result;
   result.limits = asked;

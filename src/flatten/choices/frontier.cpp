@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -20,18 +19,18 @@ std::vector<FlattenOptions> stops_of(const FrontierOptions& options, double rms_
   for (const double limit : frontier_limits(rms_strain, options.points)) {
     const auto usual = std::find(k_candidate_strains.begin(), k_candidate_strains.end(), limit);
     if (limit == 0.0) {
-      stops.push_back(pick(k_candidates, common));
+      stops.push_back(preset_options(k_candidates, common));
     } else if (usual != k_candidate_strains.end()) {
       const auto place = static_cast<int>(usual - k_candidate_strains.begin());
-      stops.push_back(pick(place + 2, common));
+      stops.push_back(preset_options(place + 2, common));
     } else {
       stops.push_back(common);
       stops.back().limits.rms = limit;
     }
   }
-  if (options.limit) {
+  if (options.limits.any()) {
     stops.push_back(common);
-    (options.limit_of_area ? stops.back().limits.p99 : stops.back().limits.max) = *options.limit;
+    stops.back().limits = options.limits;
   }
   return stops;
 }
@@ -56,7 +55,7 @@ class FrontierRuns {
 
   void add_design(const FrontierOptions& options) {
     const FlattenOptions as_designed =
-        pick(1, {.unit = options.unit, .constraints = options.constraints});
+        preset_options(1, {.unit = options.unit, .constraints = options.constraints});
     report_.design =
         flatten(patch_, report_.name, as_designed, parts_.next(0.05)).candidates().front();
   }
@@ -101,16 +100,15 @@ class FrontierRuns {
 
 void check(const FrontierOptions& options) {
   if (options.points) check_range("points", *options.points, {2.0, k_most_points});
-  if (options.limit)
-    check_range("limit", *options.limit, {std::nextafter(0.0, 1.0), k_largest_strain_limit});
+  require(options.limits);
 }
 
 }  // namespace
 
 std::optional<std::size_t> FrontierReport::first_within_limit() const {
-  if (!limit) return std::nullopt;
+  if (!limits.any()) return std::nullopt;
   const auto found = std::find_if(curve.begin(), curve.end(), [&](const Candidate& point) {
-    return (limit_of_area ? point.strain.p99 : point.strain.max) <= *limit;
+    return limits.kept_by(point.strain);
   });
   if (found == curve.end()) return std::nullopt;
   return static_cast<std::size_t>(found - curve.begin());
@@ -122,8 +120,7 @@ FrontierReport frontier(const Patch& patch, std::string name, const FrontierOpti
   FrontierReport report;
   report.name = std::move(name);
   report.unit = options.unit;
-  report.limit = options.limit;
-  report.limit_of_area = options.limit_of_area;
+  report.limits = options.limits;
   report.cautions = find_cautions(patch);
   FrontierRuns runs(patch, report, context);
   runs.add_design(options);

@@ -10,6 +10,7 @@
 
 #include "core/figure_text.h"
 #include "core/number_text.h"
+#include "flatten/strain_limit_text.h"
 #include "flatten/verdict.h"
 
 namespace planish {
@@ -71,20 +72,6 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
     return PieceCheck{limit.what, limit.met, limit_words(name, figures, limit.met, scope)};
   };
   switch (limit.what) {
-    case Criterion::strain:
-      return check("strain limit", percent);
-    case Criterion::p99_strain:
-      return check("strain limit", percent, " on 99\u00A0% of the area");
-    case Criterion::rms_strain:
-      return check("strain limit", percent, " rms");
-    case Criterion::stretch:
-      return check("stretch limit", percent);
-    case Criterion::p99_stretch:
-      return check("stretch limit", percent, " on 99\u00A0% of the area");
-    case Criterion::compression:
-      return check("compression limit", percent);
-    case Criterion::p99_compression:
-      return check("compression limit", percent, " on 99\u00A0% of the area");
     case Criterion::deviation:
       return check("deviation limit", as_length);
     case Criterion::angle:
@@ -94,7 +81,10 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
     case Criterion::bending:
       return check("bending limit", ratio);
     default:
-      return {};  // no limit
+      return check(std::string(bounded_part(limit.what)) + " limit", percent,
+                   limit.what == Criterion::rms_strain ? " rms"
+                   : is_of_area(limit.what)            ? " on 99\u00A0% of the area"
+                                                       : "");
   }
 }
 

@@ -329,8 +329,8 @@ FinishedPatch finished_patch(const FlattenReport& report) {
                       limit_checks(report),
                       find_form_faults(report.evolve),
                       cautions_text(report.cautions, report.unfold.unit)};
-  patch.unfold.pattern.unmatched.clear();
-  patch.unfold.pattern.unlimited.clear();
+  patch.unfold.pattern.unmatched_least_stretch.clear();
+  patch.unfold.pattern.least_stretch.clear();
   return patch;
 }
 

@@ -103,10 +103,10 @@ const EdgeStrain& least_strain(const UnfoldReport& report) {
   return report.unlimited_strain ? *report.unlimited_strain : report.strain;
 }
 
-double share_of_limits(const std::vector<StrainLimitCheck>& checks) {
+double headroom(const std::vector<LimitCheck>& checks) {
   double share = std::numeric_limits<double>::infinity();
-  for (const StrainLimitCheck& check : checks)
-    share = std::min(share, check.asked / check.reached);
+  for (const LimitCheck& check : checks)
+    share = std::min(share, check.limit / check.value);
   return share;
 }
 
@@ -175,18 +175,19 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
                                            double design_strain, const SurfaceRuns& runs,
                                            std::optional<double> first_gone) {
   constexpr double unknown = 0.9;  // of what went, where going back is no measure
-  const double excess = 1.0 / share_of_limits(as_designed.limits);
+  const double excess = 1.0 / headroom(as_designed.limits);
   const double idle = k_idle * design_strain, most = idle - k_unmeasurable_strain;
   if (!(excess > 1.0) || !(most > 0.0)) return std::nullopt;
   const double left = first_gone ? design_strain * (1.0 - *first_gone) : design_strain / excess;
   BoundarySearch search(excess, idle - left, most, runs.effort.trials);
   std::optional<WayBack> nearest;
   while (const auto amount = search.next()) {
-    EvolvedPattern found = {runs.evolved({.rms_strain = idle - *amount}), {}};
+    EvolvedPattern found = {
+        runs.evolved({.rms = idle - *amount}, std::numeric_limits<double>::infinity()), {}};
     found.unfold = runs.unfolded(design.with_positions(positions_of(found)));
     if (!is_kept(found)) {
       if (found.evolve.result.stop != StopReason::strain_met) break;
-      search.tell(*amount, 1.0 / share_of_limits(found.unfold.limits));
+      search.tell(*amount, 1.0 / headroom(found.unfold.limits));
       continue;
     }
     const double gone = design_strain - least_strain(found.unfold).rms;
@@ -252,8 +253,7 @@ class SearchWithin {
   void search(double first, double max_deviation, const Excess& excess_of) {
     BoundarySearch amounts(0.0, first, most_, runs_.effort.trials);
     while (const auto amount = amounts.next()) {
-      EvolvedPattern found = {
-          runs_.evolved({.rms_strain = idle_ - *amount, .max_deviation = max_deviation}), {}};
+      EvolvedPattern found = {runs_.evolved({.rms = idle_ - *amount}, max_deviation), {}};
       const Tolerance::Use whole = use(positions_of(found));
       amounts.tell(*amount, excess_of(whole));
       const bool may_be = whole.most() <= 1.0;

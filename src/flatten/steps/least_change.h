@@ -45,12 +45,6 @@ struct EvolvedPattern {
   UnfoldReport unfold;
 };
 
-/// What a surface is led to.
-struct SurfaceLimits {
-  double rms_strain = 0.0;  ///< by the estimate of the method
-  double max_deviation = std::numeric_limits<double>::infinity();  ///< of a vertex, model units
-};
-
 /// How many surfaces a search tries.
 struct SearchEffort {
   int runs = 3;            ///< of a method that ends by its estimate of the strain, until that fits
@@ -62,8 +56,8 @@ struct SearchEffort {
 
 /// What a search runs.
 struct SurfaceRuns {
-  /// Evolves the design within limits.
-  std::function<EvolveReport(const SurfaceLimits& limits)> evolved;
+  /// Evolves the design within limits: as of Auto, by its estimate of the strain.
+  std::function<EvolveReport(const StrainLimits& limits, double max_deviation)> evolved;
   /// Lays a surface flat as was asked for, and with least stretch.
   std::function<UnfoldReport(const Patch&surface)> unfolded, stretched_least;
   /// Whether a surface is as smooth as was asked for.
@@ -78,7 +72,7 @@ struct SurfaceRuns {
 const EdgeStrain& least_strain(const UnfoldReport& report);
 
 /// By how much strain is to be multiplied to be at its limit; below 1 where a limit is not kept.
-double share_of_limits(const std::vector<StrainLimitCheck>& checks);
+double headroom(const std::vector<LimitCheck>& checks);
 
 /// Positions a share of the way.
 std::vector<Vec3> part_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to,

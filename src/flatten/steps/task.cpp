@@ -14,8 +14,9 @@ Method method_of(const FlattenOptions& options) {
 Method with_limits(Method method, const StrainLimits& limits) {
   auto* options = std::get_if<Auto>(&method);
   if (options == nullptr) return method;
-  if (options->max_strain == 0.0) options->max_strain = limits.both_ways();
-  if (options->max_rms_strain == 0.0) options->max_rms_strain = limits.rms;
+  StrainLimits& own = options->limits = options->limits.of_form();
+  if (own.max == 0.0) own.max = limits.both_ways();
+  if (own.rms == 0.0) own.rms = limits.rms;
   return method;
 }
 
@@ -34,7 +35,7 @@ StrainLimits limits_of(const FlattenOptions& options) {
   const Method method = method_of(options);
   const auto* as_auto = std::get_if<Auto>(&method);
   if (as_auto == nullptr) return {};
-  return {.max = as_auto->max_strain, .rms = as_auto->max_rms_strain};
+  return as_auto->limits;
 }
 
 Task::Task(const FlattenOptions& asked, const SearchEffort& effort_of_searches)
@@ -61,10 +62,10 @@ bool Task::seeks_least_change() const {
 
 Method Task::tightened(Method of_last_run, double factor) const {
   constexpr double surely = 0.98;
-  auto& how = std::get<Auto>(of_last_run);
-  if (how.max_strain == 0.0 && how.max_rms_strain == 0.0) how.max_rms_strain = aim.rms;
-  how.max_strain *= surely * factor;
-  how.max_rms_strain *= surely * factor;
+  StrainLimits& own = std::get<Auto>(of_last_run).limits;
+  if (!own.any()) own.rms = aim.rms;
+  own.max *= surely * factor;
+  own.rms *= surely * factor;
   return of_last_run;
 }
 

@@ -23,10 +23,10 @@ UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wa
   };
   report.strain = strain_of(report.pattern.positions);
   report.border_strain = largest_border_strain(patch, report.pattern.positions, options.free_edges);
-  if (!report.pattern.unmatched.empty())
-    report.unmatched_strain = strain_of(report.pattern.unmatched);
-  if (!report.pattern.unlimited.empty())
-    report.unlimited_strain = strain_of(report.pattern.unlimited);
+  if (!report.pattern.unmatched_least_stretch.empty())
+    report.unmatched_strain = strain_of(report.pattern.unmatched_least_stretch);
+  if (!report.pattern.least_stretch.empty())
+    report.unlimited_strain = strain_of(report.pattern.least_stretch);
   report.limits = check_limits(patch, report.pattern.positions, options.limits);
   return report;
 }

@@ -192,11 +192,11 @@ double search_radius(const BorderLines& borders, std::size_t edge, double tolera
 }
 
 double vertex_tolerance(const BorderLines& borders, double tolerance) {
-  constexpr double k_of_edge = 0.1;
+  constexpr double k_edge_share = 0.1;
   double length = 0.0;
   for (const BorderLoop& loop : borders.loops())
     length += loop.length;
-  return std::min(tolerance, k_of_edge * length / static_cast<double>(borders.edges().size()));
+  return std::min(tolerance, k_edge_share * length / static_cast<double>(borders.edges().size()));
 }
 
 std::vector<BoundaryCorrespondence> find_boundary_correspondences(const BorderLines& borders,

@@ -20,7 +20,8 @@ Vec2 place_of(const Deviation& deviation, double strain) {
 /// None of the point for the limit: the limit has a line of its own.
 std::string name_on_line(const Candidate& point) {
   const auto* options = std::get_if<Auto>(&point.method);
-  return options != nullptr && options->max_strain > 0.0 ? std::string() : candidate_name(point);
+  return options != nullptr && options->limits.both_ways() > 0.0 ? std::string()
+                                                                 : candidate_name(point);
 }
 
 /// The curve from the patch as designed on: through what nothing nearer beats. The rest is aside.
@@ -67,9 +68,9 @@ std::string frontier_chart(const FrontierReport& report) {
   lines[1].point_names.clear();
   const double end = farthest(lines);
   if (!(end > 0.0)) return {};
-  if (report.limit) {
-    const double y = 100.0 * *report.limit;
-    lines.push_back({"limit " + percent_text(*report.limit), "line-2", {{0.0, y}, {end, y}}});
+  if (const double limit = report.limits.both_ways(); limit > 0.0) {
+    const double y = 100.0 * limit;
+    lines.push_back({"limit " + percent_text(limit), "line-2", {{0.0, y}, {end, y}}});
   }
   return log_chart(lines, ChartScale::linear, "rms deviation, % of the diagonal",
                    "Strain of the pattern in % against rms deviation in % of the diagonal.");

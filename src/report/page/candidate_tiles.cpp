@@ -51,7 +51,7 @@ std::vector<Vec2> turned_like(std::span<const Vec2> other, const std::vector<Vec
 
 std::vector<Shown> shown_candidates(const FlattenReport& report) {
   const std::vector<Candidate> candidates = report.candidates();
-  const std::vector<Vec2>& design = report.as_designed.pattern.positions;
+  const std::vector<Vec2>& design = report.design_pattern.pattern.positions;
   std::vector<Shown> shown = {{candidates.front(), report.input, design}};
   if (candidates.size() > 1) {
     shown.push_back({candidates.back(), report.processed,

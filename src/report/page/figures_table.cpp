@@ -198,7 +198,7 @@ std::string figures_table(const FlattenReport& report) {
   add_fairness(form, evolve);
   return "<table>\n<thead><tr><th scope=\"col\">Figure</th><th scope=\"col\">Before</th>"
          "<th scope=\"col\">After</th><th scope=\"col\">Change</th></tr></thead>\n" +
-         pattern_section(report.as_designed, report.unfold) +
+         pattern_section(report.design_pattern, report.unfold) +
          patch_section(evolve.before.figures, evolve.after.figures) + form.html() + "</table>\n";
 }
 

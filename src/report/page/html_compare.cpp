@@ -30,18 +30,18 @@ std::string headline(const CompareReport& report) {
   }
   const ComparedMethod& method = report.runs[*best];
   const std::string name(name_of(method.run.method));
-  if (!report.unfold_before) {
+  if (!report.design_least_stretch) {
     return name + " did best: it lowered the curvature left from " +
            significant_text(report.before.figures.sum_abs_defect, 3) + " to " +
            significant_text(method.evolve->after.figures.sum_abs_defect, 3) + " rad.";
   }
   return name + " did best: it lowered the strain of the pattern from " +
-         percent_text(report.unfold_before->strain.rms) + " to " +
+         percent_text(report.design_least_stretch->strain.rms) + " to " +
          percent_text(method.unfold->strain.rms) + " rms.";
 }
 
 std::string table_section(const CompareReport& report) {
-  const std::string patterns = report.unfold_before
+  const std::string patterns = report.design_least_stretch
                                    ? "Read the strain first: it is what the material feels."
                                    : "There are no patterns, so read the curvature left: " +
                                          escape_markup(report.why_no_patterns) + ".";
@@ -73,7 +73,7 @@ std::string charts_section(const CompareReport& report) {
 }
 
 bool has_pattern(const CompareReport& report, const ComparedMethod& method) {
-  return report.unfold_before && method.unfold;
+  return report.design_least_stretch && method.unfold;
 }
 
 /// All pictures of the page, those of the input first.
@@ -86,8 +86,8 @@ struct Pictures {
 Pictures pictures_of(const CompareReport& report) {
   std::vector<std::span<const Vec3>> results;
   std::vector<PatternOfPatch> patterns;
-  if (report.unfold_before) {
-    patterns.push_back({report.input.positions(), report.unfold_before->pattern});
+  if (report.design_least_stretch) {
+    patterns.push_back({report.input.positions(), report.design_least_stretch->pattern});
   }
   for (const ComparedMethod& method : report.runs) {
     if (!method.evolve) continue;
@@ -98,8 +98,8 @@ Pictures pictures_of(const CompareReport& report) {
   Pictures pictures;
   pictures.patches =
       patch_pictures(report.input, results, ColorMap::diverging, k_compare_picture_width);
-  if (report.unfold_before) {
-    pictures.strain_limit = strain_map_limit(report.unfold_before->strain);
+  if (report.design_least_stretch) {
+    pictures.strain_limit = strain_map_limit(report.design_least_stretch->strain);
     pictures.patterns = strain_pictures(report.input.mesh(), patterns, pictures.strain_limit,
                                         k_compare_picture_width);
   }
@@ -157,8 +157,9 @@ std::string scales(const Pictures& pictures) {
 
 std::string cards_section(const CompareReport& report) {
   const Pictures pictures = pictures_of(report);
-  const std::string unit =
-      report.unfold_before ? std::string(to_string(report.unfold_before->unit)) : "model units";
+  const std::string unit = report.design_least_stretch
+                               ? std::string(to_string(report.design_least_stretch->unit))
+                               : "model units";
   std::size_t patch = 0, pattern = 0;
   const auto next_pattern = [&](bool has_one) {
     return has_one ? &pictures.patterns.at(pattern++) : nullptr;
@@ -168,8 +169,8 @@ std::string cards_section(const CompareReport& report) {
       card("input",
            count_text(topology.vertices) + " vertices, " + count_text(topology.inner_vertices) +
                " of them inner; all pictures have its view and its scales",
-           pictures_of_one(pictures.patches.before, next_pattern(report.unfold_before.has_value()),
-                           "input") +
+           pictures_of_one(pictures.patches.before,
+                           next_pattern(report.design_least_stretch.has_value()), "input") +
                scales(pictures));
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ComparedMethod& method = report.runs[i];

@@ -59,12 +59,12 @@ std::string table(const FrontierReport& report) {
 }
 
 std::string limit_words(const FrontierReport& report) {
-  if (!report.limit) {
+  if (!report.limits.any()) {
     return "What every step towards flattenable costs: look for the bend, where more deviation "
            "begins to buy little strain.";
   }
   const auto within = report.first_within_limit();
-  const std::string limit = percent_text(*report.limit);
+  const std::string limit = percent_text(report.limits.both_ways());
   if (!within) return "No point of the curve keeps the limit of " + limit + ".";
   const Deviation& deviation = report.curve[*within].deviation;
   return "The limit of " + limit + " is kept if the form may move by " +

@@ -55,7 +55,7 @@ std::string material_mark(const FlattenPage& page) {
 
 std::string tiles(const FlattenReport& report, const PatternGeometry& drawn,
                   const FlattenPage& page) {
-  const EdgeStrain& before = report.as_designed.strain;
+  const EdgeStrain& before = report.design_pattern.strain;
   const EdgeStrain& after = report.unfold.strain;
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
@@ -89,7 +89,7 @@ std::string neutral_mark(const std::string& words) {
 /// Limits of strain that were asked for, and whether it lies flat.
 std::vector<std::string> flatness_checks(const FlattenReport& report) {
   std::vector<std::string> items;
-  for (const LimitCheck& check : strain_limits_of(report)) {
+  for (const LimitCheck& check : report.unfold.limits) {
     items.push_back(mark(check.met, (check.met ? "within " : "not within ") +
                                         escape_markup(strain_limit_name(check, report))));
   }

@@ -190,7 +190,7 @@ std::string data_of(const FlattenReport& report, const PatternGeometry& pattern,
   std::vector<Vec2> drawn = pattern.positions;
   for (Vec2& p : drawn)
     p.y = pattern.sheet_size.y - p.y;
-  PageInput input{{{"before", report.input, report.as_designed.pattern.positions},
+  PageInput input{{{"before", report.input, report.design_pattern.pattern.positions},
                    {"after", report.processed, report.unfold.pattern.positions}}};
   input.unit = report.unfold.unit;
   input.defect_limit = defect_limit;
@@ -207,10 +207,10 @@ PatchViewer html_viewer(const CompareReport& report) {
   if (!page_script().is_there()) return {};
   PageInput input{{{"input", report.input}}};
   input.defect_limit = defect_limit(angle_defects(report.input), report.input.connectivity());
-  if (report.unfold_before) {
-    input.unit = report.unfold_before->unit;
-    input.states.front().pattern = report.unfold_before->pattern.positions;
-    input.strain_limit = strain_map_limit(report.unfold_before->strain);
+  if (report.design_least_stretch) {
+    input.unit = report.design_least_stretch->unit;
+    input.states.front().pattern = report.design_least_stretch->pattern.positions;
+    input.strain_limit = strain_map_limit(report.design_least_stretch->strain);
   }
   const auto best = best_run(report);
   for (const ComparedMethod& method : report.runs) {

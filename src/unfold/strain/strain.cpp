@@ -47,13 +47,12 @@ double at_share_of_sorted(const std::vector<StrainOfEdge>& edges, double share) 
 /// Of each strain the part of that kind, by its size.
 /// @param sorted the same edges, by |strain|
 std::vector<StrainOfEdge> sorted_parts(const std::vector<StrainOfEdge>& edges,
-                                       const std::vector<StrainOfEdge>& sorted,
-                                       StrainLimitKind kind) {
+                                       const std::vector<StrainOfEdge>& sorted, Criterion what) {
   std::vector<StrainOfEdge> parts;
   parts.reserve(edges.size());
   const auto add = [&](const std::vector<StrainOfEdge>& some, bool with_part) {
     for (const StrainOfEdge& edge : some) {
-      const double part = part_of(edge.strain, kind);
+      const double part = part_of(edge.strain, what);
       if ((part > 0.0) == with_part) parts.push_back({part, edge.area, edge.edge});
     }
   };
@@ -62,7 +61,38 @@ std::vector<StrainOfEdge> sorted_parts(const std::vector<StrainOfEdge>& edges,
   return parts;
 }
 
+double share_beyond(const std::vector<StrainOfEdge>& edges, const LimitCheck& check) {
+  NeumaierSum beyond, all;
+  for (const StrainOfEdge& edge : edges) {
+    all.add(edge.area);
+    if (part_of(edge.strain, check.what) > check.limit) beyond.add(edge.area);
+  }
+  return all.value() > 0.0 ? beyond.value() / all.value() : 0.0;
+}
+
+/// The first edge with most of what the limit is for.
+std::array<Index, 2> worst_edge(const std::vector<StrainOfEdge>& edges, Criterion what) {
+  const auto worst = std::max_element(edges.begin(), edges.end(),
+                                      [what](const StrainOfEdge& a, const StrainOfEdge& b) {
+                                        return part_of(a.strain, what) < part_of(b.strain, what);
+                                      });
+  return worst == edges.end() ? std::array<Index, 2>{} : worst->edge;
+}
+
 }  // namespace
+
+double part_of(double strain, Criterion what) {
+  switch (what) {
+    case Criterion::stretch:
+    case Criterion::p99_stretch:
+      return std::max(0.0, -strain);
+    case Criterion::compression:
+    case Criterion::p99_compression:
+      return std::max(0.0, strain);
+    default:
+      return std::abs(strain);
+  }
+}
 
 std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Vec2> pattern) {
   const double scale = patch.unit_scale();
@@ -102,17 +132,31 @@ EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges) {
   }
   result.rms = std::sqrt(squares.value() / total_area(edges));
   const std::vector<StrainOfEdge> sorted = sorted_by_size(edges);
-  const auto of_part = [&](StrainLimitKind kind) {
-    return at_share_of_sorted(sorted_parts(edges, sorted, kind), share);
+  const auto of_part = [&](Criterion what) {
+    return at_share_of_sorted(sorted_parts(edges, sorted, what), share);
   };
   result.p99 = at_share_of_sorted(sorted, share);
-  result.p99_stretch = of_part(StrainLimitKind::p99_stretch);
-  result.p99_compression = of_part(StrainLimitKind::p99_compression);
+  result.p99_stretch = of_part(Criterion::p99_stretch);
+  result.p99_compression = of_part(Criterion::p99_compression);
   return result;
 }
 
 EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
   return figures_of(strain_of_edges(patch, pattern));
+}
+
+std::vector<LimitCheck> check_limits(const Patch& patch, std::span<const Vec2> pattern,
+                                     const StrainLimits& limits) {
+  require(limits);
+  if (!limits.any()) return {};
+  const std::vector<StrainOfEdge> edges = strain_of_edges(patch, pattern);
+  std::vector<LimitCheck> checks = check_limits(figures_of(edges), limits);
+  for (LimitCheck& check : checks) {
+    const auto [v, w] = check.edge = worst_edge(edges, check.what);
+    check.at = 0.5 * patch.positions()[v] + 0.5 * patch.positions()[w];
+    check.share_beyond = share_beyond(edges, check);
+  }
+  return checks;
 }
 
 double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern,

@@ -27,8 +27,8 @@ double strain_at_share(std::vector<StrainOfEdge> edges, double share);
 /// The figures of these edges.
 EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges);
 
-/// The part of a strain that a limit of this kind is for, above 0 where there is any: the stretch,
+/// The part of a strain that this limit is for, above 0 where there is any: the stretch,
 /// the compression, or the size of the strain.
-double part_of(double strain, StrainLimitKind kind);
+double part_of(double strain, Criterion what);
 
 }  // namespace planish

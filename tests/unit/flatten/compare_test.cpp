@@ -34,9 +34,9 @@ TEST(Compare, GivesEachMethodWhatItGivesAlone) {
                                         {ClassicalLaplacian{}, {.max_sweeps = 3}}};
   const auto report = compare(Patch(mesh), "panel", runs, {.unit = Unit::cm});
   ASSERT_EQ(report.runs.size(), 2U);
-  ASSERT_TRUE(report.unfold_before);
+  ASSERT_TRUE(report.design_least_stretch);
   const auto before = unfold_patch(Patch(mesh), Unit::cm, {.least_stretch = true});
-  EXPECT_EQ(report.unfold_before->strain.rms, before.strain.rms);
+  EXPECT_EQ(report.design_least_stretch->strain.rms, before.strain.rms);
   EXPECT_EQ(report.before.figures.energy, measure_patch(Patch(mesh)).figures.energy);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const ComparedMethod& method = report.runs[i];
@@ -66,7 +66,7 @@ TEST(Compare, GoesOnWhereAMethodFails) {
 
 TEST(Compare, DoesWithoutPatternsWhereThePatchIsNoDisk) {
   const auto report = compare(Patch(meshes::tube(12, 8)), "tube", {{ControllableLaplacian{}, {}}});
-  EXPECT_FALSE(report.unfold_before);
+  EXPECT_FALSE(report.design_least_stretch);
   EXPECT_THAT(report.why_no_patterns, HasSubstr("border"));
   EXPECT_TRUE(report.runs[0].evolve);
   EXPECT_FALSE(report.runs[0].unfold);
@@ -111,7 +111,7 @@ TEST(CompareVerdict, GoesByTheStrainAndNamesThePrice) {
 
 TEST(CompareVerdict, GoesByTheCurvatureLeftWithoutPatterns) {
   CompareReport report = samples::comparison();
-  report.unfold_before.reset();
+  report.design_least_stretch.reset();
   for (ComparedMethod& method : report.runs)
     method.unfold.reset();
   EXPECT_EQ(verdict_text(report, report.runs[0]), "better patch: curvature left 1.7 -> 1.3 rad");
@@ -127,7 +127,7 @@ TEST(CompareJson, HasTheReportsOfItsPartsAndNullForWhatThereIsNot) {
   for (const char* of_measure : {"strain", "limits"})
     input.erase(of_measure);
   EXPECT_EQ(json["input"], input);
-  EXPECT_EQ(json["unfold_before"], samples::part_of(json_report(*report.unfold_before)));
+  EXPECT_EQ(json["unfold_before"], samples::part_of(json_report(*report.design_least_stretch)));
   EXPECT_EQ(json["best"], "controllable");
   ASSERT_EQ(json["runs"].size(), 3U);
   Json first = json["runs"][0];

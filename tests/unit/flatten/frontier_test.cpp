@@ -22,7 +22,7 @@ using testing::Not;
 const FrontierReport& panel_frontier() {
   static const FrontierReport report =
       frontier(Patch(make_shape("panel", 200)), "panel",
-               {.limit = 0.01,
+               {.limits = {.max = 0.01},
                 .others = {{ClassicalLaplacian{}, {.max_sweeps = 3}},
                            {BilaplacianFairing{}, usual_stopping(BilaplacianFairing{})}}});
   return report;
@@ -54,7 +54,7 @@ TEST(FrontierLimits, OfANumberFallAlsoWhereThereIsLittleStrainOrNone) {
 
 Candidate made_point(double strain, double deviation, double bending) {
   Candidate point;
-  point.method = Auto{.max_rms_strain = 0.01};
+  point.method = Auto{.limits = {.rms = 0.01}};
   point.strain = {strain, strain, strain};
   point.deviation = {deviation, deviation, deviation};
   point.fairness.bending_ratio = bending;
@@ -135,10 +135,10 @@ TEST(Frontier, StaysSmoothUpToFlat) {
 TEST(Frontier, HasWhatFlattenMakesOfEveryPick) {
   const Patch panel(make_shape("panel", 200));
   for (const Candidate& point : panel_frontier().curve) {
-    if (!point.pick) continue;
-    const FlattenReport report = flatten(panel, "panel", pick(*point.pick));
+    if (!point.preset) continue;
+    const FlattenReport report = flatten(panel, "panel", preset_options(*point.preset));
     const Candidate alone = report.candidates().back();
-    EXPECT_EQ(point.deviation.rms, alone.deviation.rms) << *point.pick;
+    EXPECT_EQ(point.deviation.rms, alone.deviation.rms) << *point.preset;
     EXPECT_EQ(point.deviation.rms_over_diagonal, alone.deviation.rms_over_diagonal);
     EXPECT_EQ(point.strain.rms, alone.strain.rms);
     EXPECT_EQ(point.strain.max, alone.strain.max);
@@ -157,10 +157,14 @@ TEST(Frontier, FindsTheFirstPointWithinTheLimit) {
   report.curve[1].strain.max = 0.02;
   report.curve[2].strain.max = 0.01;
   EXPECT_FALSE(report.first_within_limit());
-  report.limit = 0.02;
+  report.limits.max = 0.02;
   EXPECT_EQ(report.first_within_limit(), 1U);
-  report.limit = 0.001;
+  report.limits.max = 0.001;
   EXPECT_FALSE(report.first_within_limit());
+  report.curve[2].strain.p99_stretch = 0.005;
+  report.limits = {.max = 0.03, .p99_stretch = 0.004};
+  report.curve[0].strain.p99_stretch = 0.0041;
+  EXPECT_EQ(report.first_within_limit(), 1U) << "all of several";
 }
 
 TEST(Frontier, KeepsRunsThatFailApart) {
@@ -182,8 +186,9 @@ TEST(Frontier, ReportsRisingProgressAndCanBeCancelled) {
 
 TEST(Frontier, RefusesWhatCannotBeDone) {
   EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.points = 1}), Error);
-  for (const double wrong : {0.0, -0.02, 2.0, std::nan("")})
-    EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.limit = wrong}), Error) << wrong;
+  for (const double wrong : {-0.02, 2.0, std::nan("")})
+    EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.limits = {.max = wrong}}), Error)
+        << wrong;
   EXPECT_THROW(frontier(Patch({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}),
                         "closed"),
@@ -196,8 +201,8 @@ TEST(Frontier, JsonHasEveryPoint) {
   ASSERT_EQ(json["curve"].size(), report.curve.size());
   const Candidate& point = report.curve[3];
   const auto& options = std::get<Auto>(point.method);
-  EXPECT_EQ(json["curve"][3]["options"]["max_strain"], options.max_strain);
-  EXPECT_EQ(json["curve"][3]["options"]["max_rms_strain"], options.max_rms_strain);
+  EXPECT_EQ(json["curve"][3]["options"]["max_strain"], options.limits.max);
+  EXPECT_EQ(json["curve"][3]["options"]["max_rms_strain"], options.limits.rms);
   EXPECT_EQ(json["curve"].back()["options"]["prefer"], "flat");
   EXPECT_EQ(json["curve"][3]["dominated"], point.dominated);
   EXPECT_EQ(json["curve"][3]["strain"]["rms"], point.strain.rms);
@@ -212,7 +217,7 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
   FrontierReport report;
   report.design.stop = StopReason::design_kept;
   report.design.strain = {1.0, 0.25, 0.75};
-  report.curve.push_back({.method = Auto{.max_rms_strain = 0.25},
+  report.curve.push_back({.method = Auto{.limits = {.rms = 0.25}},
                           .stop = StopReason::strain_met,
                           .sweeps = 7,
                           .seconds = 0.5,
@@ -220,7 +225,7 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
                           .deviation = {1.0, 2.0, 0.0625},
                           .fairness = {.bending_ratio = 1.25, .bending_added = 0.5},
                           .dominated = true});
-  report.curve.push_back({.method = Auto{.max_strain = 0.5, .prefer = Prefer::flat}});
+  report.curve.push_back({.method = Auto{.limits = {.max = 0.5}, .prefer = Prefer::flat}});
   report.others.push_back(
       {.method = ClassicalLaplacian{}, .sweeps = 10, .seconds = 0.25, .flattenable = true});
   EXPECT_EQ(frontier_csv(report),

@@ -21,7 +21,7 @@ TEST(LimitChecks, AreNoneWhereNoneWasGiven) {
 TEST(LimitChecks, CompareWithWhatCameOut) {
   FlattenReport report = samples::flatten_report();  // strain 0.3187, deviation 0.5678
   report.evolve.method = Auto{.max_deviation = 0.5};
-  report.unfold.limits = {{StrainLimitKind::max, 0.32, 0.3187}};
+  report.unfold.limits = {{Criterion::strain, 0.32, 0.3187}};
   report.evolve.stopping.target_e_max = 0.047;  // e_max 0.0641 * 0.73 = 0.0468
   const auto checks = limit_checks(report);
   ASSERT_EQ(checks.size(), 3U);
@@ -39,10 +39,10 @@ TEST(LimitChecks, CompareWithWhatCameOut) {
 TEST(LimitChecks, HaveStretchAndCompressionApart) {
   FlattenReport report = samples::flatten_report();
   report.evolve.method = Auto{};
-  report.unfold.limits = {{StrainLimitKind::max_stretch, 0.12, 0.1},
-                          {StrainLimitKind::p99_stretch, 0.08, 0.1},
-                          {StrainLimitKind::max_compression, 0.02, 0.01},
-                          {StrainLimitKind::p99_compression, 0.01, 0.02}};
+  report.unfold.limits = {{Criterion::stretch, 0.12, 0.1},
+                          {Criterion::p99_stretch, 0.08, 0.1},
+                          {Criterion::compression, 0.02, 0.01},
+                          {Criterion::p99_compression, 0.01, 0.02}};
   const auto checks = limit_checks(report);
   ASSERT_EQ(checks.size(), 4U);
   const std::array codes = {"stretch", "p99_stretch", "compression", "p99_compression"};

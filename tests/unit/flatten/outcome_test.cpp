@@ -24,7 +24,7 @@ TEST(Outcome, IsMetWhereNothingWasAskedFor) {
 TEST(Outcome, NamesWhatIsMissedRatherThanWhatIsNear) {
   FlattenReport report = samples::flatten_report();  // strain 0.3187, deviation 0.5678
   report.evolve.method = Auto{.max_deviation = 0.56};
-  report.unfold.limits = {{StrainLimitKind::max, 0.31871, 0.3187}, {StrainLimitKind::rms, 1.0}};
+  report.unfold.limits = {{Criterion::strain, 0.31871, 0.3187}, {Criterion::rms_strain, 1.0}};
   const Outcome outcome = report.outcome();
   EXPECT_FALSE(outcome.limits_met());
   ASSERT_TRUE(outcome.worst);
@@ -37,7 +37,7 @@ TEST(Outcome, NamesWhatIsMissedRatherThanWhatIsNear) {
 
 TEST(Outcome, OfAnEvolutionGoesByTheEstimateOfItsStrain) {
   EvolveReport report = samples::flatten_report().evolve;
-  report.method = Auto{.max_strain = 0.01};
+  report.method = Auto{.limits = {.max = 0.01}};
   for (const auto& [stop, met] :
        {std::pair{StopReason::strain_met, true}, std::pair{StopReason::converged, true},
         std::pair{StopReason::reached_target, true}, std::pair{StopReason::deviation_limit, false},
@@ -62,7 +62,7 @@ TEST(Outcome, MissesATargetThatIsNotReached) {
 TEST(Outcome, IsUsableOnlyWhereNothingIsMissed) {
   FlattenReport report = samples::flatten_report();
   report.evolve.method = Auto{};
-  report.unfold.limits = {{StrainLimitKind::p99, 0.5, 0.3}};
+  report.unfold.limits = {{Criterion::p99_strain, 0.5, 0.3}};
   report.unfold.pattern.width = 100.0;
   EXPECT_THAT(report.outcome().missed, ElementsAre());
   EXPECT_TRUE(report.outcome().usable());
@@ -71,7 +71,7 @@ TEST(Outcome, IsUsableOnlyWhereNothingIsMissed) {
   EXPECT_THAT(report.outcome().missed, ElementsAre(Criterion::form, Criterion::overlap));
   EXPECT_TRUE(report.outcome().limits_met());
   EXPECT_FALSE(report.outcome().usable());
-  report.unfold.limits[0].reached = 0.51;
+  report.unfold.limits = {{Criterion::p99_strain, 0.5, 0.51}};
   EXPECT_THAT(report.outcome().missed,
               ElementsAre(Criterion::p99_strain, Criterion::form, Criterion::overlap));
   EXPECT_FALSE(report.outcome().limits_met());
@@ -97,7 +97,7 @@ TEST(Outcome, OfAPatternGoesByLimitsOfStrainAndThePattern) {
   EXPECT_TRUE(report.outcome().usable());
   report.strain = {0.3, 0.2, 0.3};
   EXPECT_TRUE(report.outcome().usable()) << "no limit was asked for";
-  report.limits = {{StrainLimitKind::max, 0.1, 0.3}, {StrainLimitKind::rms, 0.1, 0.2}};
+  report.limits = {{Criterion::strain, 0.1, 0.3}, {Criterion::rms_strain, 0.1, 0.2}};
   report.pattern.overlaps = true;
   EXPECT_THAT(report.outcome().missed,
               ElementsAre(Criterion::strain, Criterion::rms_strain, Criterion::overlap));

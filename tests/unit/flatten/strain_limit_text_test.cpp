@@ -15,33 +15,29 @@ namespace {
 using testing::HasSubstr;
 
 TEST(StrainLimitText, SaysOfWhatTheLimitIsAndThatItIsKept) {
-  EXPECT_EQ(strain_limit_text({.kind = StrainLimitKind::max, .asked = 0.02, .reached = 0.02}),
+  EXPECT_EQ(strain_limit_text({.what = Criterion::strain, .limit = 0.02, .value = 0.02}),
             "The limit of 2 % for the strain of every edge is kept: the pattern has 2 %.");
-  EXPECT_EQ(strain_limit_text({.kind = StrainLimitKind::p99, .asked = 0.05, .reached = 0.0312}),
+  EXPECT_EQ(strain_limit_text({.what = Criterion::p99_strain, .limit = 0.05, .value = 0.0312}),
             "The limit of 5 % for the strain on 99 % of the area is kept: the pattern has 3.12 %.");
-  EXPECT_EQ(strain_limit_text({.kind = StrainLimitKind::rms, .asked = 0.01, .reached = 0.005}),
+  EXPECT_EQ(strain_limit_text({.what = Criterion::rms_strain, .limit = 0.01, .value = 0.005}),
             "The limit of 1 % for the rms of the strain is kept: the pattern has 0.5 %.");
-  EXPECT_EQ(
-      strain_limit_text({.kind = StrainLimitKind::max_stretch, .asked = 0.12, .reached = 0.1}),
-      "The limit of 12 % for the stretch of every edge is kept: the pattern has 10 %.");
-  EXPECT_EQ(
-      strain_limit_text({.kind = StrainLimitKind::p99_stretch, .asked = 0.12, .reached = 0.1}),
-      "The limit of 12 % for the stretch on 99 % of the area is kept: the pattern has 10 %.");
-  EXPECT_EQ(
-      strain_limit_text({.kind = StrainLimitKind::max_compression, .asked = 0.01, .reached = 0.01}),
-      "The limit of 1 % for the compression of every edge is kept: the pattern has 1 %.");
-  EXPECT_THAT(
-      strain_limit_text({.kind = StrainLimitKind::p99_compression, .asked = 0.01, .reached = 0.02}),
-      HasSubstr("The limit of 1 % for the compression on 99 % of the area is not kept"));
+  EXPECT_EQ(strain_limit_text({.what = Criterion::stretch, .limit = 0.12, .value = 0.1}),
+            "The limit of 12 % for the stretch of every edge is kept: the pattern has 10 %.");
+  EXPECT_EQ(strain_limit_text({.what = Criterion::p99_stretch, .limit = 0.12, .value = 0.1}),
+            "The limit of 12 % for the stretch on 99 % of the area is kept: the pattern has 10 %.");
+  EXPECT_EQ(strain_limit_text({.what = Criterion::compression, .limit = 0.01, .value = 0.01}),
+            "The limit of 1 % for the compression of every edge is kept: the pattern has 1 %.");
+  EXPECT_THAT(strain_limit_text({.what = Criterion::p99_compression, .limit = 0.01, .value = 0.02}),
+              HasSubstr("The limit of 1 % for the compression on 99 % of the area is not kept"));
 }
 
 TEST(StrainLimitText, SaysHowMuchIsLeftAndWhere) {
-  const StrainLimitCheck check{.kind = StrainLimitKind::max,
-                               .asked = 0.02,
-                               .reached = 0.0312,
-                               .share_beyond = 0.0123,
-                               .edge = {3, 4},
-                               .at = {1.5, 2.0, -1.0}};
+  const LimitCheck check{.what = Criterion::strain,
+                         .limit = 0.02,
+                         .value = 0.0312,
+                         .share_beyond = 0.0123,
+                         .edge = {3, 4},
+                         .at = {1.5, 2.0, -1.0}};
   EXPECT_EQ(strain_limit_text(check),
             "The limit of 2 % for the strain of every edge is not kept: the pattern has 3.12 %, "
             "most at the edge from vertex 3 to 4, near (1.5, 2, -1); 1.2 % of the area is beyond "
@@ -52,7 +48,7 @@ TEST(StrainLimitText, SaysHowMuchIsLeftAndWhere) {
 }
 
 TEST(StrainLimitText, NeverSaysThatTheSameNumberIsTooMuch) {
-  const StrainLimitCheck check{.asked = 0.02, .reached = 0.0200001};
+  const LimitCheck check{.limit = 0.02, .value = 0.0200001};
   EXPECT_THAT(strain_limit_text(check),
               HasSubstr("limit of 2 % for the strain of every edge is not"));
   EXPECT_THAT(strain_limit_text(check), HasSubstr("the pattern has 2.00001 %"));
@@ -60,9 +56,9 @@ TEST(StrainLimitText, NeverSaysThatTheSameNumberIsTooMuch) {
 
 TEST(StrainLimitText, OfSeveralIsOneAfterTheOther) {
   EXPECT_EQ(strain_limits_text({}), "");
-  const std::vector<StrainLimitCheck> checks = {
-      {.kind = StrainLimitKind::max, .asked = 0.05, .reached = 0.04},
-      {.kind = StrainLimitKind::rms, .asked = 0.01, .reached = 0.02}};
+  const std::vector<LimitCheck> checks = {
+      {.what = Criterion::strain, .limit = 0.05, .value = 0.04},
+      {.what = Criterion::rms_strain, .limit = 0.01, .value = 0.02}};
   EXPECT_EQ(strain_limits_text(checks),
             strain_limit_text(checks[0]) + " " + strain_limit_text(checks[1]));
   FlattenReport report = samples::flatten_report();

@@ -112,13 +112,13 @@ TEST(TwinReport, HasTheFiguresOfTheOtherAtItsOwnPlaces) {
   const FlattenReport &theirs = pair.report, twin = pair.twin(options).value();
   EXPECT_EQ(twin.unfold.strain.max, theirs.unfold.strain.max);
   EXPECT_EQ(twin.unfold.strain.worst_edge, edge_beside(pair, theirs.unfold.strain.worst_edge));
-  EXPECT_EQ(twin.unfold_before.strain.worst_edge,
-            edge_beside(pair, theirs.unfold_before.strain.worst_edge));
+  EXPECT_EQ(twin.design_least_stretch.strain.worst_edge,
+            edge_beside(pair, theirs.design_least_stretch.strain.worst_edge));
   const auto& own_positions = twin.processed.positions();
   ASSERT_EQ(twin.unfold.limits.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
-    const StrainLimitCheck &limit = twin.unfold.limits[k], &other = theirs.unfold.limits[k];
-    EXPECT_EQ(limit.reached, other.reached);
+    const LimitCheck &limit = twin.unfold.limits[k], &other = theirs.unfold.limits[k];
+    EXPECT_EQ(limit.value, other.value);
     EXPECT_EQ(limit.edge, edge_beside(pair, other.edge));
     const Vec3 middle = 0.5 * (own_positions[limit.edge[0]] + own_positions[limit.edge[1]]);
     EXPECT_LE(norm(limit.at - middle), 2e-6);

@@ -35,7 +35,7 @@ FlattenReport report() {
 
 FlattenReport with_strain(double before, double after) {
   FlattenReport some = report();
-  some.unfold_before.strain.rms = some.as_designed.strain.rms = before;
+  some.design_least_stretch.strain.rms = some.design_pattern.strain.rms = before;
   some.unfold.strain.rms = after;
   return some;
 }
@@ -66,7 +66,7 @@ FlattenReport design_with(double p99, double rms) {
   strain = {.max = 1.5 * p99, .rms = rms, .p99 = p99, .worst_edge = {0, 1}};
   strain.max_stretch = strain.max_compression = strain.max;
   strain.p99_stretch = strain.p99_compression = p99;
-  some.as_designed = some.unfold_before = some.unfold;
+  some.design_pattern = some.design_least_stretch = some.unfold;
   return some;
 }
 
@@ -109,18 +109,18 @@ TEST(Verdict, ComparesTheStretchWithThatOfTheDesign) {
 TEST(Verdict, NamesTheStiffestMaterialThatTakesTheDesign) {
   FlattenReport some = with_strain(0.02, 0.0009);
   some.unfold.strain.p99 = some.unfold.strain.max = 0.004;
-  some.as_designed.strain.p99 = 0.04;
+  some.design_pattern.strain.p99 = 0.04;
   const std::string words =
       "Cotton takes the design as it is: --material cotton leaves the form unchanged.";
   EXPECT_THAT(verdict(some), HasSubstr(words));
-  some.as_designed.strain.p99 = some.as_designed.strain.p99_compression = 0.2;
+  some.design_pattern.strain.p99 = some.design_pattern.strain.p99_compression = 0.2;
   EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design")));
-  some.as_designed.strain.p99 = 0.04;
+  some.design_pattern.strain.p99 = 0.04;
   some.evolve.fairness.unchanged = true;
   EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design")));
   some.evolve.fairness.unchanged = false;
   some.material = "leather";
-  some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.004}};
+  some.unfold.limits = {{Criterion::p99_strain, 0.01, 0.004}};
   EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design"))) << "the material is chosen";
 }
 
@@ -131,7 +131,7 @@ TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
   EXPECT_THAT(verdict(some),
               StartsWith("Does not lie flat without stretch, and the form is lost. "));
   some.material = "leather";
-  some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.00999}};
+  some.unfold.limits = {{Criterion::p99_strain, 0.01, 0.00999}};
   EXPECT_THAT(verdict(some), StartsWith("Within the 1.0 % that leather takes on 99 % of the area" +
                                         k_changed + ", but the form is lost. "));
   EXPECT_THAT(verdict(some), EndsWith("The form stayed smooth. The form is not kept: height "
@@ -255,42 +255,41 @@ TEST(Verdict, TellsFlatFromNearlyAndNotYet) {
 TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
   FlattenReport some = report();
   some.unfold.strain = {0.018, 0.006, 0.01};
-  const auto with = [&](std::vector<StrainLimitCheck> limits) {
+  const auto with = [&](std::vector<LimitCheck> limits) {
     some.unfold.limits = std::move(limits);
     return verdict(some);
   };
-  const StrainLimitCheck kept{StrainLimitKind::max, 0.02, 0.018},
-      missed{StrainLimitKind::max, 0.02, 0.03};
-  const StrainLimitCheck rms{StrainLimitKind::rms, 0.01, 0.006};
+  const LimitCheck kept{Criterion::strain, 0.02, 0.018}, missed{Criterion::strain, 0.02, 0.03};
+  const LimitCheck rms{Criterion::rms_strain, 0.01, 0.006};
   EXPECT_THAT(with({kept}), StartsWith("Within the limit of 2.0 %" + k_changed +
                                        ". The usual stretch is 0.60 %, "
                                        "the largest 1.8 %; for the design as it is "));
-  EXPECT_THAT(with({{StrainLimitKind::p99, 0.02, 0.018}}),
+  EXPECT_THAT(with({{Criterion::p99_strain, 0.02, 0.018}}),
               StartsWith("Within the limit of 2.0 % on 99 % of the area" + k_changed + ". "));
-  EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
+  EXPECT_THAT(with({{Criterion::p99_strain, 0.1, 0.018}}),
               StartsWith("Within the limit of 10 % on 99 % of the area" + k_changed + ". "))
       << "no material was named";
   some.material = "neoprene";
-  EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
+  EXPECT_THAT(with({{Criterion::p99_strain, 0.1, 0.018}}),
               StartsWith("Within the 10 % that neoprene takes" + k_changed + ". "));
-  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018}}),
+  EXPECT_THAT(with({{Criterion::p99_stretch, 0.1, 0.018}}),
               StartsWith("Within the 10 % of stretch that neoprene takes" + k_changed + ". "));
-  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018},
-                    {StrainLimitKind::p99_compression, 0.02, 0.01}}),
-              StartsWith("Within what neoprene takes" + k_changed + ". "));
+  EXPECT_THAT(
+      with({{Criterion::p99_stretch, 0.1, 0.018}, {Criterion::p99_compression, 0.02, 0.01}}),
+      StartsWith("Within what neoprene takes" + k_changed + ". "));
   some.unfold.strain.max_compression = 0.018;
-  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018},
-                    {StrainLimitKind::p99_compression, 0.009, 0.01}}),
-              StartsWith("Not within the 0.90 % of compression that neoprene takes on 99 % of the "
-                         "area. "));
-  EXPECT_THAT(with({{StrainLimitKind::max_stretch, 0.01, 0.018}}),
+  EXPECT_THAT(
+      with({{Criterion::p99_stretch, 0.1, 0.018}, {Criterion::p99_compression, 0.009, 0.01}}),
+      StartsWith("Not within the 0.90 % of compression that neoprene takes on 99 % of the "
+                 "area. "));
+  EXPECT_THAT(with({{Criterion::stretch, 0.01, 0.018}}),
               StartsWith("Not within the 1.0 % of stretch that neoprene takes at any edge. "));
   some.material.clear();
-  EXPECT_THAT(with({{StrainLimitKind::max_compression, 0.02, 0.018}}),
+  EXPECT_THAT(with({{Criterion::compression, 0.02, 0.018}}),
               StartsWith("Within the limit of 2.0 % of compression" + k_changed + ". "));
   EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %. "));
   EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %. "));
-  EXPECT_THAT(with({kept, {StrainLimitKind::rms, 0.005, 0.006}}),
+  EXPECT_THAT(with({kept, {Criterion::rms_strain, 0.005, 0.006}}),
               StartsWith("Not within the limit of 0.50 % (rms). "));
   EXPECT_THAT(with({rms}), StartsWith("Within the limit of 1.0 % (rms)" + k_changed + ". "));
   some.evolve.after.flattenable = true;

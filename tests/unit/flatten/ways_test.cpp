@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <planish/flatten/flatten.h>
+#include <planish/measure/material.h>
 #include <planish/mesh/shapes.h>
-#include <planish/unfold/material_fit.h>
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(FlattenDefault, EvolvesByAMethodOrWhereALimitIsMissed) {
   EXPECT_FALSE(FlattenOptions{}.may_change());
   EXPECT_TRUE((FlattenOptions{.method = ControllableLaplacian{}}.may_change()));
   EXPECT_TRUE((FlattenOptions{.limits = {.rms = 0.01}}.may_change()));
-  EXPECT_TRUE((FlattenOptions{.as_needed = {.max_rms_strain = 0.01}}.may_change()));
+  EXPECT_TRUE((FlattenOptions{.as_needed = {.limits = {.rms = 0.01}}}.may_change()));
   const double rms = flattened({}).unfold.strain.rms;
   EXPECT_TRUE(flattened({.limits = {.rms = 1.1 * rms}}).evolve.fairness.unchanged);
   const FlattenReport changed = flattened({.limits = {.rms = 0.5 * rms}});

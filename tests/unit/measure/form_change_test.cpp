@@ -329,7 +329,7 @@ TEST(FormChange, IsTheSameOnAllThreads) {
   const Patch patch(make_shape("panel", 600));
   const auto found = [&](unsigned threads) {
     const FlattenReport report =
-        flatten(patch, "panel", {.method = Auto{.max_rms_strain = 0.005}}, {.threads = threads});
+        flatten(patch, "panel", {.method = Auto{.limits = {.rms = 0.005}}}, {.threads = threads});
     return *report.evolve.fairness.form_change;
   };
   const FormChange one = found(1U), four = found(4U);

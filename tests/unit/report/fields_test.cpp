@@ -40,7 +40,7 @@ TEST(FieldsOf, AFlatteningHaveTheFiguresOfItsReport) {
   EXPECT_EQ(largest_size(vertices.at("defect")), report.evolve.after.figures.e_max);
   EXPECT_EQ(largest_size(vertices.at("input_defect")), report.evolve.before.figures.e_max);
   EXPECT_EQ(largest_size(vertices.at("edge_strain")), report.unfold.strain.max);
-  EXPECT_EQ(largest_size(vertices.at("input_edge_strain")), report.unfold_before.strain.max);
+  EXPECT_EQ(largest_size(vertices.at("input_edge_strain")), report.design_least_stretch.strain.max);
   EXPECT_NEAR(largest_size(vertices.at("move")), report.evolve.deviation.max, 1e-15);
   double squares = 0.0, inner = 0.0;
   for (std::size_t v = 0; v < vertices.at("move").size(); ++v) {
@@ -69,7 +69,7 @@ TEST(FieldsOf, OffsetsHaveTheSideOfTheDesignThatTheVertexWentTo) {
     raised[v] += Vec3{0.3, 0.0, v % 2 == 0 ? 0.4 : -0.4};
   report.processed = report.input.with_positions(raised);
   report.unfold = samples::plane_below(report.processed.mesh(), 4, 4);
-  report.unfold_before = samples::plane_below(report.input.mesh(), 4, 4);
+  report.design_least_stretch = samples::plane_below(report.input.mesh(), 4, 4);
   const auto vertices = by_name(fields_of(report).vertices);
   for (std::size_t v = 0; v < raised.size(); ++v) {
     EXPECT_NEAR(vertices.at("offset")[v], v % 2 == 0 ? 0.4 : -0.4, 1e-15);

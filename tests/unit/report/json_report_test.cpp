@@ -64,7 +64,7 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
 }
 
 TEST(JsonReport, OfAMeasuredPatchHasItsStrainAsDesigned) {
-  StrainAsDesigned strain = {{0.4, 0.03, 0.1}, 0.07, {{StrainLimitKind::p99, 0.05, 0.06}}};
+  StrainAsDesigned strain = {{0.4, 0.03, 0.1}, 0.07, {{Criterion::p99_strain, 0.05, 0.06}}};
   Json json = Json::parse(json_report(samples::measured(1.0), strain));
   EXPECT_EQ(json["strain"], Json({{"max", 0.4},
                                   {"rms", 0.03},
@@ -270,7 +270,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
 
 TEST(JsonReport, OfAPatternSaysWhatItMisses) {
   UnfoldReport report = samples::flatten_report().unfold;
-  report.limits = {{StrainLimitKind::rms, 0.02, 0.05}};
+  report.limits = {{Criterion::rms_strain, 0.02, 0.05}};
   report.pattern.overlaps = true;
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["limits_met"], false);
@@ -289,7 +289,7 @@ TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], samples::part_of(json_report(report.evolve)));
   EXPECT_EQ(json["unfold"], samples::part_of(json_report(report.unfold)));
-  EXPECT_EQ(json["unfold_before"], samples::part_of(json_report(report.unfold_before)));
+  EXPECT_EQ(json["unfold_before"], samples::part_of(json_report(report.design_least_stretch)));
   EXPECT_EQ(json["limits"], Json::array()) << "none was asked for";
   EXPECT_EQ(json["files"], Json({{"pattern", "out/pattern.svg"}}));
   EXPECT_EQ(Json::parse(json_report(report, {}))["files"], Json::object());
@@ -297,8 +297,9 @@ TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
 
 TEST(JsonReport, TellsOfEveryLimitWhetherThePatternKeepsItAndWhereItDoesSoLeast) {
   FlattenReport report = samples::flatten_report();
-  report.unfold.limits = {{StrainLimitKind::p99, 0.02, 0.05, 0.125, {3, 4}, {1.5, 2.0, 4.0}},
-                          {StrainLimitKind::rms, 0.02, 0.0125, 0.125, {3, 4}, {1.5, 2.0, 4.0}}};
+  report.unfold.limits = {
+      {Criterion::p99_strain, 0.02, 0.05, false, 0.125, {3, 4}, {1.5, 2.0, 4.0}},
+      {Criterion::rms_strain, 0.02, 0.0125, true, 0.125, {3, 4}, {1.5, 2.0, 4.0}}};
   report.unfold.unlimited_strain = EdgeStrain{.max = 0.5, .rms = 0.01, .p99 = 0.375};
   const Json where = {{"edge", {3, 4}}, {"at", {1.5, 2.0, 4.0}}};
   const Json expected = {{{"kind", "p99"},

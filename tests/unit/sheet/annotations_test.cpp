@@ -286,7 +286,7 @@ TEST(Annotations, KeepsWordsBelowThePatternOffTheSquaresAndApart) {
     for (Vec2& p : unfold.pattern.positions)
       p = 50.0 * p;
     unfold.unit = Unit::in;
-    if (is_bad) unfold.limits = {{StrainLimitKind::p99, 0.01, 0.02}};
+    if (is_bad) unfold.limits = {{Criterion::p99_strain, 0.01, 0.02}};
     const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "panel",
                                         {.allowance = Allowance{.width = 8.0},
                                          .fold = FoldLine{0, 4},

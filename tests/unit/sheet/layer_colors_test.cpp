@@ -134,7 +134,7 @@ TEST(LayerColors, TellTheLayersOfAPatternApart) {
 TEST(LayerColors, TellThemApartWhereThePatternIsNotToBeCut) {
   UnfoldReport unfold = laid_flat();
   unfold.pattern.flipped_triangles = 1;
-  unfold.limits = {{StrainLimitKind::max, 0.01, 0.02}};
+  unfold.limits = {{Criterion::strain, 0.01, 0.02}};
   expect_layers_apart(full_pattern(unfold), 10);
   unfold.pattern.positions[2] = {110.0, 230.0};
   unfold.pattern.overlaps = true;

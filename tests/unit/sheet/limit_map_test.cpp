@@ -66,15 +66,14 @@ double area_of(const std::vector<DrawingShape>& map, Color color) {
 }
 
 TEST(LimitOfEdges, IsTheSmallerOfThoseForEdges) {
-  const auto check = [](StrainLimitKind kind, double asked) {
-    StrainLimitCheck some;
-    some.kind = kind;
-    some.asked = asked;
+  const auto check = [](Criterion kind, double asked) {
+    LimitCheck some;
+    some.what = kind;
+    some.limit = asked;
     return some;
   };
-  const StrainLimitCheck max = check(StrainLimitKind::max, 0.08),
-                         p99 = check(StrainLimitKind::p99, 0.05),
-                         rms = check(StrainLimitKind::rms, 0.01);
+  const LimitCheck max = check(Criterion::strain, 0.08), p99 = check(Criterion::p99_strain, 0.05),
+                   rms = check(Criterion::rms_strain, 0.01);
   EXPECT_FALSE(limit_of_edges({}));
   EXPECT_FALSE(limit_of_edges(std::array{rms})) << "is for no single place";
   EXPECT_EQ(limit_of_edges(std::array{max, rms})->stretch, 0.08);
@@ -85,12 +84,12 @@ TEST(LimitOfEdges, IsTheSmallerOfThoseForEdges) {
 }
 
 TEST(LimitOfEdges, IsOfStretchAndOfCompressionApart) {
-  StrainLimitCheck all, stretch, compression;
-  all.asked = 0.1;
-  stretch.kind = StrainLimitKind::p99_stretch;
-  stretch.asked = 0.08;
-  compression.kind = StrainLimitKind::max_compression;
-  compression.asked = 0.02;
+  LimitCheck all, stretch, compression;
+  all.limit = 0.1;
+  stretch.what = Criterion::p99_stretch;
+  stretch.limit = 0.08;
+  compression.what = Criterion::compression;
+  compression.limit = 0.02;
   const auto apart = limit_of_edges(std::array{all, stretch, compression});
   EXPECT_EQ(apart->stretch, 0.08);
   EXPECT_EQ(apart->compression, 0.02);

@@ -207,14 +207,14 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
   };
   EXPECT_THAT(label_of_mesh(),
               Contains("Before cutting, see the mesh: no vertex inside, coarse facets"));
-  unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
+  unfold.limits = {{Criterion::strain, 0.025, 0.0231}};
   EXPECT_THAT(label(), Contains("keeps the limit 2.5 %, for every edge"));
   EXPECT_THAT(label_of_form(),
               Contains("keeps the limit 2.5 %, for every edge, but the form is lost"));
   EXPECT_THAT(label_of_mesh(),
               Contains("keeps the limit 2.5 %, for every edge, but see the mesh: no vertex"));
   EXPECT_THAT(label_of_mesh(), Contains("inside, coarse facets"));
-  unfold.limits.push_back({StrainLimitKind::rms, 0.005, 0.00512});
+  unfold.limits.push_back({Criterion::rms_strain, 0.005, 0.00512});
   EXPECT_THAT(label(), Contains("Beyond the limit 0.5 %, rms: 0.51 %"));
   EXPECT_THAT(pattern_sheet(Patch(mesh), unfold, "").notes,
               Contains("Beyond the limit 0.5 %, rms: 0.51 %"));

@@ -1,4 +1,4 @@
-#include "solve/lanes/panel_products.h"
+#include "solve/simd/panel_products.h"
 
 #include <algorithm>
 #include <cmath>

@@ -134,7 +134,7 @@ TEST(UnfoldOfAHalf, KeepsLimitsAndTheLengthsOfSeams) {
     const double length = norm(half.positions()[b] - half.positions()[a]);
     EXPECT_NEAR(norm(matched.positions[b] - matched.positions[a]), length, 1e-7 * length);
   }
-  EXPECT_EQ(matched.unmatched.size(), half.vertex_count());
+  EXPECT_EQ(matched.unmatched_least_stretch.size(), half.vertex_count());
   const EdgeStrain least = edge_strain(half, unfold(half, {.fold = k_fold}).positions);
   const double limit = 0.8 * least.max;
   const Pattern limited = unfold(half, {.limits = {.max = limit}, .fold = k_fold});
@@ -149,7 +149,7 @@ TEST(UnfoldOfAHalf, KeepsALimitAndTheLengthsOfSeamsTogether) {
   const Pattern pattern =
       unfold(half, {.match_seams = true, .limits = {.max = limit}, .fold = k_fold});
   EXPECT_LE(edge_strain(half, pattern.positions).max, limit);
-  EXPECT_EQ(pattern.unlimited.size(), half.vertex_count());
+  EXPECT_EQ(pattern.least_stretch.size(), half.vertex_count());
   EXPECT_LT(bow(pattern.positions), 1e-9);
   for (std::size_t row = 0; row < k_rows; ++row) {
     const Index a = vertex_of_cell(k_columns, row), b = vertex_of_cell(k_columns, row + 1);
@@ -168,16 +168,16 @@ TEST(UnfoldOfAHalf, IsPlainWhereTheFoldLeavesItsPlane) {
 
 TEST(FlattenOfAHalf, EvolvesTheWhole) {
   const Patch half(upright_half(4.0));
-  FlattenOptions options = pick(5);
+  FlattenOptions options = preset_options(5);
   options.fold = k_fold;
   const FlattenReport report = flatten(half, "half", options);
   EXPECT_LT(bow(report.unfold.pattern.positions), 1e-9);
-  EXPECT_LT(bow(report.unfold_before.pattern.positions), 1e-9);
+  EXPECT_LT(bow(report.design_least_stretch.pattern.positions), 1e-9);
   EXPECT_GT(report.evolve.deviation.max, 0.0) << "it was evolved";
   for (std::size_t row = 0; row <= k_rows; ++row)
     EXPECT_NEAR(report.processed.positions()[vertex_of_cell(0, row)].x, 0.0, 1e-9)
         << "in the plane";
-  const FlattenReport whole = flatten(Patch(whole_of(half.mesh())), "whole", pick(5));
+  const FlattenReport whole = flatten(Patch(whole_of(half.mesh())), "whole", preset_options(5));
   EXPECT_NEAR(report.unfold.strain.rms, whole.unfold.strain.rms, 0.02 * whole.unfold.strain.rms);
   EXPECT_NEAR(report.evolve.deviation.max, whole.evolve.deviation.max,
               0.02 * whole.evolve.deviation.max);

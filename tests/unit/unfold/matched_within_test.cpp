@@ -48,7 +48,7 @@ TEST(MatchedSpread, LowersThePeaksWithinItsBudgetAndKeepsEveryLength) {
     EXPECT_LT(largest_border_strain(patch, pattern.positions), 1e-9) << shape;
     EXPECT_EQ(pattern.flipped_triangles, 0U) << shape;
     EXPECT_FALSE(pattern.overlaps) << shape;
-    EXPECT_EQ(pattern.unmatched.size(), patch.vertex_count());
+    EXPECT_EQ(pattern.unmatched_least_stretch.size(), patch.vertex_count());
   }
 }
 
@@ -101,10 +101,10 @@ TEST(MatchedLimits, KeepBothWhereBothCanBeHad) {
       EXPECT_LE(strain.max, limit) << shape;
       EXPECT_LT(largest_border_strain(patch, pattern.positions, free), 1e-9) << shape;
       EXPECT_EQ(pattern.flipped_triangles, 0U) << shape;
-      EXPECT_EQ(pattern.unmatched.size(), patch.vertex_count());
+      EXPECT_EQ(pattern.unmatched_least_stretch.size(), patch.vertex_count());
       if (!free.empty()) continue;
-      ASSERT_EQ(pattern.unlimited.size(), patch.vertex_count());
-      EXPECT_NEAR(edge_strain(patch, pattern.unlimited).max, least.max, 1e-9)
+      ASSERT_EQ(pattern.least_stretch.size(), patch.vertex_count());
+      EXPECT_NEAR(edge_strain(patch, pattern.least_stretch).max, least.max, 1e-9)
           << "compared with those that match";
     }
   }
@@ -117,7 +117,7 @@ TEST(MatchedLimits, LeaveAPatternThatKeepsThemAsItIs) {
   const Pattern pattern =
       unfold(patch, {.match_seams = true, .least_stretch = true, .limits = {.max = limit}});
   EXPECT_EQ(pattern.positions, least.positions);
-  EXPECT_TRUE(pattern.unlimited.empty());
+  EXPECT_TRUE(pattern.least_stretch.empty());
 }
 
 TEST(MatchedLimits, FreeNoSewnEdgeForThe99Percent) {
@@ -167,7 +167,8 @@ TEST(MatchedLimits, BendTheBorderWithoutTeeth) {
     const Pattern pattern = unfold(patch, {.match_seams = true, .limits = limits});
     double most = 0.0;
     for (std::size_t k = 0; k < loop.size(); ++k)
-      most = std::max(most, std::abs(turn(pattern.positions, k) - turn(pattern.unmatched, k)));
+      most = std::max(
+          most, std::abs(turn(pattern.positions, k) - turn(pattern.unmatched_least_stretch, k)));
     EXPECT_LT(most, 0.15) << "teeth turn by more than a radian";
   }
 }
@@ -197,7 +198,7 @@ TEST(MatchIfPossible, LeavesUnmatchedWhatCannotKeepItsBorder) {
   const Patch patch(ribbon());
   const Pattern pattern = unfold(patch, {.match_seams = true, .match_if_possible = true});
   EXPECT_TRUE(pattern.is_unmatchable);
-  EXPECT_TRUE(pattern.unmatched.empty());
+  EXPECT_TRUE(pattern.unmatched_least_stretch.empty());
   EXPECT_EQ(pattern.positions, unfold(patch).positions) << "as without matching";
   try {
     unfold(patch, {.match_seams = true});

@@ -62,7 +62,7 @@ TEST(LimitOfRms, IsKeptWhereLeastStretchMissesItByLittle) {
           unfold(patch, {.least_stretch = least_stretch, .limits = {.rms = limit}});
       EXPECT_LE(edge_strain(patch, pattern.positions).rms, limit) << shape;
       EXPECT_GT(edge_strain(patch, pattern.positions).rms, 0.95 * limit) << "no further";
-      EXPECT_NEAR(edge_strain(patch, pattern.unlimited).rms, limit / 0.97, 1e-9) << shape;
+      EXPECT_NEAR(edge_strain(patch, pattern.least_stretch).rms, limit / 0.97, 1e-9) << shape;
       EXPECT_EQ(pattern.flipped_triangles, 0U) << shape;
       EXPECT_FALSE(pattern.overlaps) << shape;
     }
@@ -74,9 +74,9 @@ TEST(LimitOfRms, ThatNoPatternKeepsLeavesTheLeastThereIs) {
   const auto rms_of = [&](const std::vector<Vec2>& flat) { return edge_strain(patch, flat).rms; };
   const Pattern pattern = unfold(patch, {.least_stretch = true, .limits = {.rms = 1e-4}});
   const double least = rms_of(pattern.positions);
-  EXPECT_LT(least, 0.97 * rms_of(pattern.unlimited));
+  EXPECT_LT(least, 0.97 * rms_of(pattern.least_stretch));
   // On the straight line through it and the pattern of least stretch it has the least rms.
-  const auto from = centred(pattern.unlimited), to = centred(pattern.positions);
+  const auto from = centred(pattern.least_stretch), to = centred(pattern.positions);
   std::complex<double> turn;
   for (std::size_t v = 0; v < to.size(); ++v)
     turn += to[v] * std::conj(from[v]);

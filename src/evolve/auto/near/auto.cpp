@@ -75,7 +75,7 @@ class AutoStepper {
     if (is_dense(level_state().inner_count())) return_freed_memory();
   }
 
-  SurfaceStrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
+  StrainLimits strain_limit() const { return options_.limits.of_form(); }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
@@ -234,7 +234,7 @@ class AutoStepper {
   /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
   /// then what is near is looked for as usual.
   bool limit_is_met_after_all() {
-    if (!strain_limit().given()) return false;
+    if (!strain_limit().any()) return false;
     descent_->go_to(descent_->positions());
     return descent_->strain_is_met();
   }

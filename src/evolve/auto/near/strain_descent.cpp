@@ -23,11 +23,11 @@ double sigma_unit(const PatchState& state) {
 /// True if the descent is to come as near as a limit of strain allows. Vertices held at a limit of
 /// deviation need a way around them that is smooth.
 bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
-  return aims.strain.given() && std::isinf(limits.deviation);
+  return aims.strain.any() && std::isinf(limits.deviation);
 }
 
 BoundaryCondition pattern_border(const DescentAims& aims) {
-  return aims.strain.given() ? BoundaryCondition::free : BoundaryCondition::dirichlet;
+  return aims.strain.any() ? BoundaryCondition::free : BoundaryCondition::dirichlet;
 }
 
 /// Where nearly all strain has to go, a border that is nearly held leads there by a shorter way,
@@ -71,7 +71,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
       area_shares_(area_shares(triangles_, first_origins(state, state.vertex_count()))),
       at_first_(strain_now()),
-      stays_(std::min(1.0, aims.strain.share_of(at_first_))),
+      stays_(std::min(1.0, headroom(aims.strain, at_first_))),
       pace_(pace_for(aims, limits, stays_, relative_density(state))),
       control_(state, aims.room, pace_),
       closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
@@ -259,7 +259,7 @@ double StrainDescent::deviation() const {
 double StrainDescent::next_sigma(double share, const Step& step) const {
   if (tracks_limit_) {
     if (step.moved == 0) return k_failed * sigma_;
-    const double room = aims_.strain.share_of(strain_);
+    const double room = headroom(aims_.strain, strain_);
     return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / k_most_fall, k_most_growth) *
            sigma_;
   }
@@ -276,7 +276,7 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
 /// What is left, rms: down to where it is expected once the strain is at its limit. The largest
 /// itself comes and goes from step to step.
 double StrainDescent::strain_to_go() const {
-  const double share = aims_.strain.given() ? stays_ : 0.0;
+  const double share = aims_.strain.any() ? stays_ : 0.0;
   return std::max(0.0, strain_.rms - share * at_first_.rms);
 }
 

@@ -9,8 +9,8 @@
 #include "evolve/auto/near/tangential_relaxation.h"
 #include "evolve/auto/shared/border_motion.h"
 #include "evolve/auto/shared/descent_limits.h"
+#include "evolve/auto/shared/descent_strain.h"
 #include "evolve/auto/shared/fairness_energy.h"
-#include "evolve/auto/shared/surface_strain_limit.h"
 #include "evolve/auto/shared/tuning.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
@@ -19,8 +19,8 @@ namespace planish {
 
 /// What a descent is to reach.
 struct DescentAims {
-  SurfaceStrainLimit strain = {};  ///< at which it is to end, if given
-  double room = 1.0;               ///< for roughness, spent on staying close; see ClosenessControl
+  StrainLimits strain = {};  ///< at which it is to end, if given
+  double room = 1.0;         ///< for roughness, spent on staying close; see ClosenessControl
   /// That a coarser level ended with: weights are found there, where steps cost little, and only
   /// lowered on the way here. 0: there is none.
   double closeness = 0.0;
@@ -84,7 +84,7 @@ class StrainDescent {
   double deviation() const;
   /// True if the limit of strain, where there is one, is met.
   bool strain_is_met() const {
-    return solvable() && aims_.strain.given() && aims_.strain.share_of(strain_) >= 1.0;
+    return solvable() && aims_.strain.any() && headroom(aims_.strain, strain_) >= 1.0;
   }
   /// True if the patch is rougher than the room for roughness allows it to end.
   bool is_too_rough() const { return control_.is_too_rough(); }

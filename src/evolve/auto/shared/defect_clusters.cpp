@@ -35,7 +35,7 @@ std::vector<Index> vertices_of_largest_defects(const PatchState& state) {
       vertices.begin() + std::min<std::ptrdiff_t>(k_most_largest, std::ssize(vertices));
   std::partial_sort(vertices.begin(), last, vertices.end(), is_larger);
   const double small =
-      k_of_sum * k_flattenable_sum / std::max(1.0, static_cast<double>(vertices.size()));
+      k_defect_sum_share * k_flattenable_sum / std::max(1.0, static_cast<double>(vertices.size()));
   double covered = 0.0;
   const auto end = std::find_if(vertices.begin(), last, [&](Index v) {
     const bool enough = covered >= k_share_of_largest * energy || square(v) <= small * small;

@@ -48,8 +48,8 @@ SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
 
 /// By so much that it counts as flattenable on rounding too.
 bool is_surely_flattenable(const Flattenability& figures) {
-  return figures.e_max <= k_of_e_max * k_flattenable_e_max &&
-         figures.sum_abs_defect <= k_of_sum * k_flattenable_sum;
+  return figures.e_max <= k_e_max_share * k_flattenable_e_max &&
+         figures.sum_abs_defect <= k_defect_sum_share * k_flattenable_sum;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ inline constexpr int k_most_halvings = 12;
 inline constexpr double k_at_limit = 0.99;
 /// Of an rms limit, what the estimate by phi is led to: the pattern itself has up to so much more,
 /// on all but very uneven meshes.
-inline constexpr double k_of_rms_limit = 0.95;
+inline constexpr double k_rms_limit_share = 0.95;
 /// Without a limit of angles, triangles keep this one (degrees), or half of the smallest at first.
 inline constexpr double k_needle = 5.0;
 /// Number of inner vertices at which relative_density() is 1.
@@ -245,7 +245,7 @@ namespace polish {
 /// Longest step, over the shortest edge at a vertex.
 inline constexpr double k_longest_step = 0.5;
 /// Done at these shares of what counts as flattenable, so that rounding does not undo it.
-inline constexpr double k_of_e_max = 0.5, k_of_sum = 0.8;
+inline constexpr double k_e_max_share = 0.5, k_defect_sum_share = 0.8;
 /// Cycles at most, and in a row those that leave nearly all of the energy: more than this share.
 inline constexpr int k_most_cycles = 100, k_most_stalled = 8;
 inline constexpr double k_stalled_share = 0.9;

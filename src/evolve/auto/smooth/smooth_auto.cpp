@@ -23,10 +23,10 @@ using namespace tuning::prefer_smooth;
 
 namespace {
 
-SurfaceStrainLimit limit_of(const Auto& options) {
-  if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
-  const SurfaceStrainLimit limit = {options.max_strain, options.max_rms_strain};
-  return limit.given() ? limit : SurfaceStrainLimit{0.0, k_unmeasurable_strain};
+StrainLimits limit_of(const Auto& options) {
+  if (options.prefer == Prefer::flat) return {.rms = k_nearly_flat};
+  const StrainLimits limit = options.limits.of_form();
+  return limit.any() ? limit : StrainLimits{.rms = k_unmeasurable_strain};
 }
 
 /// Inner vertices of the coarsest level at most.
@@ -92,7 +92,7 @@ class SmoothStepper {
 
  private:
   SweepOutcome step_in(Untouched& /*phase*/) {
-    if (descent_->solvable() && limit_.share_of(descent_->strain()) >= 1.0)
+    if (descent_->solvable() && headroom(limit_, descent_->strain()) >= 1.0)
       return of_level().ended(StopReason::strain_met);
     return step_in(phase_.emplace<Smoothing>());
   }
@@ -147,7 +147,7 @@ class SmoothStepper {
 
   void keep_best(std::optional<Best>& best) const {
     if (!control_->is_smooth()) return;
-    const double share = limit_.share_of(descent_->strain());
+    const double share = headroom(limit_, descent_->strain());
     const double deviation = descent_->deviation();
     const auto is_better = [&] {
       const bool both_within = std::min(share, best->share) * k_nearly >= 1.0;
@@ -180,7 +180,7 @@ class SmoothStepper {
   }
 
   StopReason reason_to_end() const {
-    if (limit_.share_of(descent_->strain()) * k_nearly >= 1.0) return StopReason::strain_met;
+    if (headroom(limit_, descent_->strain()) * k_nearly >= 1.0) return StopReason::strain_met;
     if (descent_->at_deviation_limit()) return StopReason::deviation_limit;
     if (descent_->at_angle_limit()) return StopReason::angle_limit;
     return StopReason::smooth_limit;
@@ -248,7 +248,7 @@ class SmoothStepper {
   }
 
   Auto options_;
-  SurfaceStrainLimit limit_;
+  StrainLimits limit_;
   PatchState& state_;
   ThreadPool& pool_;
   double least_angle_;

@@ -13,8 +13,8 @@ using namespace tuning::prefer_smooth;
 namespace {
 
 /// 0 where little strain may stay, 1 where much may.
-double looseness(const SurfaceStrainLimit& limit, const DescentStrain& at_first) {
-  const double left = std::min(1.0, limit.share_of(at_first)) * at_first.rms;
+double looseness(const StrainLimits& limit, const DescentStrain& at_first) {
+  const double left = std::min(1.0, headroom(limit, at_first)) * at_first.rms;
   return std::clamp(math::log(left / k_tight) / math::log(k_loose / k_tight), 0.0, 1.0);
 }
 
@@ -46,7 +46,7 @@ SmoothControl::SmoothControl(const Aims& aims, const DescentStrain& at_first)
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ =
       between(between(k_tight_delta, k_tight_delta_far_border, reach), k_loose_delta, loose);
-  double first = least_delta_ * first_delta(1.0 / limit_.share_of(at_first), loose, aims.flat);
+  double first = least_delta_ * first_delta(1.0 / headroom(limit_, at_first), loose, aims.flat);
   usual_delta_ = first;
   if (bounded_) {
     const double bound = aims.max_bending / (aims.flat ? k_room_for_polish : k_nearly);
@@ -97,7 +97,7 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
 }
 
 void SmoothControl::lead(const DescentStrain& strain, double bending, double deviation) {
-  const double share = limit_.share_of(strain), excess = bending / ceiling_;
+  const double share = headroom(limit_, strain), excess = bending / ceiling_;
   const bool bends_too_much = excess > k_nearly, furthest = weights_.delta >= k_most_delta;
   const bool strained = share * k_nearly < 1.0;
   const bool keeps_form = weights_.form > 0.0;

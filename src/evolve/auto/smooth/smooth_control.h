@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "evolve/auto/shared/surface_strain_limit.h"
+#include "evolve/auto/shared/descent_strain.h"
 #include "evolve/auto/shared/tuning.h"
 #include "evolve/auto/smooth/smooth_descent.h"
 
@@ -17,7 +17,7 @@ namespace planish {
 class SmoothControl {
  public:
   struct Aims {
-    SurfaceStrainLimit limit = {};
+    StrainLimits limit = {};
     bool flat = false;                        ///< all strain is to go in the end
     double max_bending = 0.0;                 ///< over the design's; 0: the usual ceiling
     std::optional<double> border_reach = {};  ///< as of SmoothDescent
@@ -61,7 +61,7 @@ class SmoothControl {
   void lead_delta(double excess, double factor, double least_factor);
   bool is_stuck(const DescentStrain& strain);
 
-  SurfaceStrainLimit limit_;
+  StrainLimits limit_;
   bool bounded_, follows_deviation_;
   double ceiling_, least_delta_, usual_delta_;
   double least_delta_factor_ = tuning::prefer_smooth::k_least_delta_factor;

@@ -191,23 +191,23 @@ std::optional<double> SmoothDescent::border_reach() const {
 
 /// Of the inner vertices the normals, or tangents along the patch or across it. Where triangles
 /// cancel, any will do.
-Positions SmoothDescent::lines(Way way) const {
+Positions SmoothDescent::lines(MoveDirection direction) const {
   Positions lines;
   for (Index v = 0; v < state_.inner_count(); ++v) {
     const Vec3 at_v = normal_at(v, jacobian_, state_),
                normal = dot(at_v, at_v) > 0.0 ? at_v : Vec3{0.0, 0.0, 1.0},
                across = tangent_across(axis_, normal);
-    lines.push_back(way == Way::normal  ? normal
-                    : way == Way::along ? cross(across, normal)
-                                        : across);
+    lines.push_back(direction == MoveDirection::normal      ? normal
+                    : direction == MoveDirection::tangent_u ? cross(across, normal)
+                                                            : across);
   }
   return lines;
 }
 
 /// Of F without phi.
 /// @param force minus the gradient
-void SmoothDescent::assemble(std::optional<Way> way, Positions& force) {
-  system_.clear(way ? lines(*way) : Positions{});
+void SmoothDescent::assemble(std::optional<MoveDirection> direction, Positions& force) {
+  system_.clear(direction ? lines(*direction) : Positions{});
   assemble_shape(force);
   assemble_moves(force);
 }
@@ -319,9 +319,9 @@ bool SmoothDescent::factor_system(double c) {
 SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
   weights_ = weights;
   if (!along_lines_) return step_along({});
-  Step result = step_along(Way::normal);
-  for (const Way way : {Way::along, Way::across}) {
-    const Step part = step_along(way);
+  Step result = step_along(MoveDirection::normal);
+  for (const MoveDirection direction : {MoveDirection::tangent_u, MoveDirection::tangent_v}) {
+    const Step part = step_along(direction);
     result.moved = std::max(result.moved, part.moved);
     result.merit -= part.merit_before - part.merit;
     result.in_double = result.in_double || part.in_double;
@@ -331,13 +331,13 @@ SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
 }
 
 /// Along lines, or freely.
-SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
+SmoothDescent::Step SmoothDescent::step_along(std::optional<MoveDirection> direction) {
   const Positions before = positions();
   Step result;
   result.merit = result.merit_before = merit(phi_);
   jacobian_.update(state_.positions(), pool_);
   Positions force(before.size());
-  assemble(way, force);
+  assemble(direction, force);
   const double c = 0.5 * static_cast<double>(phi_.size()) * weights_.sigma * weights_.sigma;
   if (!factor_system(c)) return result;
   const Eigen::VectorXd defects = inner_defects(state_);

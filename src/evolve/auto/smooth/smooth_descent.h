@@ -13,7 +13,7 @@
 #include "energy/strain_potential.h"
 #include "evolve/auto/shared/border_motion.h"
 #include "evolve/auto/shared/descent_limits.h"
-#include "evolve/auto/shared/surface_strain_limit.h"
+#include "evolve/auto/shared/descent_strain.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 
@@ -88,8 +88,8 @@ class SmoothDescent {
   void release() { system_.release(); }
 
  private:
-  /// Which way inner vertices go along lines.
-  enum class Way { normal, along, across };
+  /// Which way inner vertices go along lines: along the normal or one of two tangents.
+  enum class MoveDirection { normal, tangent_u, tangent_v };
   struct Parts {
     double merit = 0.0;
     Eigen::VectorXd defects;
@@ -100,9 +100,9 @@ class SmoothDescent {
   void renew();
   /// Of all vertices that may move, from where they were at first.
   Positions moves() const { return sum_of(positions(), -1.0, origin_); }
-  Positions lines(Way way) const;
-  Step step_along(std::optional<Way> way);
-  void assemble(std::optional<Way> way, Positions& force);
+  Positions lines(MoveDirection direction) const;
+  Step step_along(std::optional<MoveDirection> direction);
+  void assemble(std::optional<MoveDirection> direction, Positions& force);
   bool factor_system(double c);
   void assemble_shape(Positions& force);
   void assemble_moves(Positions& force);

@@ -89,7 +89,7 @@ TEST(FlattenProduct, TakesLimitsAndWordsOfAPatch) {
   EXPECT_FALSE(report.twins[2]) << "it may stretch more than the other one";
   EXPECT_TRUE(report.patches[0].finished->unfold.limits.empty());
   ASSERT_EQ(report.patches[2].finished->unfold.limits.size(), 1U);
-  EXPECT_EQ(report.patches[2].finished->unfold.limits[0].asked, 0.25);
+  EXPECT_EQ(report.patches[2].finished->unfold.limits[0].limit, 0.25);
   EXPECT_EQ(report.patches[2].words.material, "neoprene");
   EXPECT_EQ(report.patches[2].words.quantity, 3);
   patches[0].limits = patches[2].limits;
@@ -448,8 +448,8 @@ TEST(FinishedPatch, LeavesOutPatternsThatAreOnlyComparedWith) {
   options.match_seams = true;
   const auto report = flatten(Patch(make_shape("dome", 150)), "dome", options);
   const FinishedPatch patch = finished_patch(report);
-  EXPECT_FALSE(report.unfold.pattern.unmatched.empty());
-  EXPECT_TRUE(patch.unfold.pattern.unmatched.empty());
+  EXPECT_FALSE(report.unfold.pattern.unmatched_least_stretch.empty());
+  EXPECT_TRUE(patch.unfold.pattern.unmatched_least_stretch.empty());
   EXPECT_EQ(patch.unfold.unmatched_strain->max, report.unfold.unmatched_strain->max);
   EXPECT_EQ(patch.stop, report.evolve.result.stop);
 }

@@ -22,7 +22,7 @@ const Patch& panel() {
 }
 
 TEST(CandidateTiles, AreTheDesignAndTheResult) {
-  const FlattenReport report = flatten(panel(), "panel", pick(5, {.unit = Unit::cm}));
+  const FlattenReport report = flatten(panel(), "panel", preset_options(5, {.unit = Unit::cm}));
   const std::string html = candidate_tiles(report);
   pages::expect_closed_tags(html);
   EXPECT_EQ(count(html, "<li"), 2U);

@@ -40,7 +40,7 @@ TEST(HtmlCompare, EscapesAllTextFromOutside) {
   EXPECT_THAT(page, Not(HasSubstr("\xFF")));
   EXPECT_THAT(page, Not(HasSubstr("<weights>")));
   EXPECT_THAT(page, HasSubstr("<h1>&lt;img src=x&gt;&quot;&amp;\uFFFD</h1>"));
-  report.unfold_before.reset();
+  report.design_least_stretch.reset();
   report.why_no_patterns = "<b onclick=1>";
   EXPECT_THAT(html_report(report), Not(HasSubstr("<b onclick")));
 }
@@ -69,7 +69,7 @@ TEST(HtmlCompare, HasPicturesOfTheInputAndOfEveryResultAtOneSize) {
 
 TEST(HtmlCompare, DoesWithoutPatternsAndWithoutSweeps) {
   CompareReport report = samples::comparison();
-  report.unfold_before.reset();
+  report.design_least_stretch.reset();
   report.why_no_patterns = "it is a tube";
   for (ComparedMethod& method : report.runs) {
     method.unfold.reset();

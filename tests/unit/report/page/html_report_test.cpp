@@ -54,7 +54,7 @@ TEST(HtmlReport, ShowsStrainBesideItsLimitWhereOneWasAsked) {
   EXPECT_THAT(report_page(), Not(HasSubstr("<div class=\"legend bounded\">")));
   EXPECT_THAT(report_page(), HasSubstr("stretch in colour"));
   FlattenReport report = samples::flatten_report();
-  report.unfold.limits = {{.kind = StrainLimitKind::p99, .asked = 0.02, .reached = 0.2143}};
+  report.unfold.limits = {{.what = Criterion::p99_strain, .limit = 0.02, .value = 0.2143}};
   const std::string page = html_report(report);
   pages::expect_closed_tags(page);
   pages::expect_nothing_from_outside(page);
@@ -130,7 +130,7 @@ TEST(HtmlReport, SaysWhatWasDone) {
 TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
   FlattenReport report = samples::flatten_report();
   report.evolve.method = Auto{.max_deviation = 0.5};
-  report.unfold.limits = {{StrainLimitKind::max, 0.5, 0.3187}};
+  report.unfold.limits = {{Criterion::strain, 0.5, 0.3187}};
   const std::string page = html_report(
       report,
       {.command = "planish flatten 'a <b>.obj'", .material = "<a> roll", .material_use = "half"});
@@ -181,7 +181,7 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   EXPECT_THAT(top, HasSubstr("<b>Flat but for a stretch too small to measure.</b>"));
   EXPECT_THAT(top, HasSubstr("✓ flat but for a stretch too small to measure"));
   report.material = "neoprene";
-  report.unfold.limits = {{StrainLimitKind::p99, 0.1, 0.018}};
+  report.unfold.limits = {{Criterion::p99_strain, 0.1, 0.018}};
   report.unfold.strain = {0.018, 0.01, 0.018};
   top = first_screen(html_report(report));
   EXPECT_THAT(top, HasSubstr("<b>Within the 10\u00A0% that neoprene takes, "
@@ -192,7 +192,7 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
       << "what was asked for comes first";
   EXPECT_THAT(top, HasSubstr("• does not lie flat without stretch"));
   EXPECT_THAT(top, Not(HasSubstr("✗")));
-  report.unfold.limits.front().reached = 0.2;
+  report.unfold.limits = {{Criterion::p99_strain, 0.1, 0.2}};
   top = first_screen(html_report(report));
   EXPECT_THAT(top, HasSubstr("<b>Not within the 10\u00A0% that neoprene takes.</b>"));
   EXPECT_THAT(top, HasSubstr("✗ not within the 10\u00A0% that neoprene takes"));
@@ -304,7 +304,7 @@ std::vector<double> numbers_of(const std::string& table, const std::string& name
 
 TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
   FlattenReport report = samples::flatten_report();
-  report.as_designed.pattern.flipped_triangles = 3;
+  report.design_pattern.pattern.flipped_triangles = 3;
   report.unfold.pattern.overlaps = true;
   const std::string table = figures_table(report);
   const auto& before = report.evolve.before.figures;
@@ -371,7 +371,7 @@ TEST(FiguresTable, JudgesAChangeByWhatTheFigureShouldBe) {
   EXPECT_EQ(change_of(report, "Energy"), "× 5.3 worse");
   report.unfold.pattern.flipped_triangles = 2;
   EXPECT_EQ(change_of(report, "Flipped triangles"), "from 0 worse");
-  report.as_designed.strain.max = 1e-9;
+  report.design_pattern.strain.max = 1e-9;
   report.unfold.strain.max = 5e-9;
   EXPECT_EQ(change_of(report, "Strain, worst edge"), "same") << "rounding is no change";
 }

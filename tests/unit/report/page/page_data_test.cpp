@@ -30,7 +30,7 @@ json content_of(const std::string& block) {
 }
 
 PageInput input_of(const FlattenReport& report) {
-  PageInput input{{{"before", report.input, report.unfold_before.pattern.positions},
+  PageInput input{{{"before", report.input, report.design_least_stretch.pattern.positions},
                    {"after", report.processed, report.unfold.pattern.positions}}};
   input.defect_limit = 0.05;
   return input;
@@ -75,7 +75,7 @@ TEST(PageData, HasTheStrainThatLimitsAreFor) {
   const FlattenReport report = samples::flatten_report();
   const json data = content_of(page_data(input_of(report)));
   ASSERT_EQ(data["figures"][5]["id"], "edge_strain");
-  const std::array states = {std::pair(&report.input, &report.unfold_before),
+  const std::array states = {std::pair(&report.input, &report.design_least_stretch),
                              std::pair(&report.processed, &report.unfold)};
   for (std::size_t state = 0; state < states.size(); ++state) {
     const auto [patch, unfold] = states[state];

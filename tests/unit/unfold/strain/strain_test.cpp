@@ -33,8 +33,8 @@ TEST(EdgeStrain, HasStretchAndCompressionOnTheShareOfAllEdges) {
   for (int k = 0; k < 500; ++k)
     edges.push_back({0.001 * ((k * 37) % 101 - 60), 1.0 + (k * 13) % 7, {}});
   const EdgeStrain strain = figures_of(edges);
-  for (const StrainLimitKind kind :
-       {StrainLimitKind::p99, StrainLimitKind::p99_stretch, StrainLimitKind::p99_compression}) {
+  for (const Criterion kind :
+       {Criterion::p99_strain, Criterion::p99_stretch, Criterion::p99_compression}) {
     std::vector<StrainOfEdge> parts = edges;
     for (StrainOfEdge& edge : parts)
       edge.strain = part_of(edge.strain, kind);

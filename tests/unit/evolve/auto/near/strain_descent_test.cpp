@@ -163,7 +163,7 @@ TEST(DeviationReduction, EndsNearerWithinTheLimitOfStrain) {
   for (const char* shape : {"panel", "saddle"}) {
     Laid laid(make_shape(shape, 900));
     constexpr double limit = 0.04;
-    StrainDescent descent(laid.state, laid.pool, {.strain = {.most = limit}}, {});
+    StrainDescent descent(laid.state, laid.pool, {.strain = {.max = limit}}, {});
     descent.start(k_cold_start);
     for (int i = 0; i < 60 && !descent.strain_is_met(); ++i)
       descent.step();

@@ -73,7 +73,7 @@ TEST(SmoothAuto, StaysNearerTheMoreStrainMayStay) {
   double before = 1e300;
   for (const double limit : {0.001, 0.002, 0.004}) {
     Auto method = smooth();
-    method.max_rms_strain = limit;
+    method.limits.rms = limit;
     const EvolveResult result = run(mesh, method);
     EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * limit) << limit;
     const double away = measure_deviation(patch, result.positions).rms;
@@ -130,7 +130,7 @@ TEST(SmoothAuto, LeavesNoMoreStrainWithABoundOfBending) {
 TEST(SmoothAuto, KeepsABoundOfBendingBesideOtherLimits) {
   const TriMesh mesh = make_shape("panel", 800);
   const Patch patch(mesh);
-  for (const Auto& method : {Auto{.max_rms_strain = 0.002, .max_bending = 1.2},
+  for (const Auto& method : {Auto{.limits = {.rms = 0.002}, .max_bending = 1.2},
                              Auto{.max_deviation = 20.0, .max_bending = 1.2},
                              Auto{.max_bending = 1.2, .border = {BorderFreedom::Rule::slide}}}) {
     const EvolveResult result = run(mesh, method);

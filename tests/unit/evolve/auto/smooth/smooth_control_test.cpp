@@ -10,7 +10,7 @@ namespace {
 using namespace tuning::prefer_smooth;
 
 constexpr DescentStrain k_at_first{0.02, 0.1};
-constexpr SurfaceStrainLimit k_limit{0.0, 1e-3};
+constexpr StrainLimits k_limit{.rms = 1e-3};
 /// Within the limit, with room for bending.
 constexpr DescentStrain k_within{9e-4, 4e-3};
 constexpr double k_smooth_bending = 0.7;
@@ -62,15 +62,15 @@ TEST(SmoothControl, CountsAStepAlongLinesAsThree) {
 }
 
 TEST(SmoothControl, KeepsTheFormWhereMuchStrainMayStay) {
-  EXPECT_EQ(SmoothControl({.limit = {0.0, 2.0 * k_loose}}, k_at_first).weights().form,
+  EXPECT_EQ(SmoothControl({.limit = {.rms = 2.0 * k_loose}}, k_at_first).weights().form,
             k_loose_form);
-  EXPECT_EQ(SmoothControl({.limit = {0.0, 0.5 * k_tight}}, k_at_first).weights().form, 0.0);
+  EXPECT_EQ(SmoothControl({.limit = {.rms = 0.5 * k_tight}}, k_at_first).weights().form, 0.0);
 }
 
 TEST(SmoothControl, BeginsLessCloseTheMoreStrainHasToGo) {
   const auto first_delta = [](double strain_over_limit) {
-    constexpr double limit = 2.0 * k_loose, led_to = tuning::k_of_rms_limit * limit;
-    return SmoothControl({.limit = {0.0, limit}}, {strain_over_limit * led_to, 1.0})
+    constexpr double limit = 2.0 * k_loose, led_to = tuning::k_rms_limit_share * limit;
+    return SmoothControl({.limit = {.rms = limit}}, {strain_over_limit * led_to, 1.0})
         .weights()
         .delta;
   };
@@ -81,7 +81,7 @@ TEST(SmoothControl, BeginsLessCloseTheMoreStrainHasToGo) {
 
 TEST(SmoothControl, BeginsAtATightLimitWithTheSameDeltaForEveryStrain) {
   const auto first_delta = [](double strain, bool flat) {
-    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .flat = flat}, {strain, 1.0})
+    return SmoothControl({.limit = {.rms = 0.5 * k_tight}, .flat = flat}, {strain, 1.0})
         .weights()
         .delta;
   };
@@ -94,7 +94,7 @@ TEST(SmoothControl, BeginsAtATightLimitWithTheSameDeltaForEveryStrain) {
 TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
   DescentStrain too_much{0.1, 0.3};
   constexpr double too_bent = 2.0;
-  SmoothControl control({.limit = {0.0, 2.0 * k_loose}}, k_at_first);
+  SmoothControl control({.limit = {.rms = 2.0 * k_loose}}, k_at_first);
   const auto lead = [&] {
     too_much.rms *= 0.97;  // not stuck
     control.after(step_that_takes(0.1), too_much, too_bent, k_deviation);
@@ -113,7 +113,7 @@ TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
 
 TEST(SmoothControl, GivesUpTheFormBeforeStrainIsLeft) {
   constexpr DescentStrain stuck{0.02, 0.1};
-  SmoothControl control({.limit = {0.0, 2.0 * k_loose}}, k_at_first);
+  SmoothControl control({.limit = {.rms = 2.0 * k_loose}}, k_at_first);
   double form = k_loose_form;
   int falls = 0;
   for (int k = 0; k < 40; ++k) {
@@ -153,7 +153,8 @@ TEST(SmoothControl, MakesAStepWithTheLastSigma) {
 
 TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
   const auto first_delta = [](std::optional<double> border_reach) {
-    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .border_reach = border_reach}, k_at_first)
+    return SmoothControl({.limit = {.rms = 0.5 * k_tight}, .border_reach = border_reach},
+                         k_at_first)
         .weights()
         .delta;
   };
@@ -164,7 +165,7 @@ TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
   EXPECT_EQ(first_delta(k_far_border), k_first_delta * k_tight_delta_far_border);
   EXPECT_EQ(first_delta(10.0 * k_far_border), first_delta(k_far_border));
   const SmoothControl flat(
-      {.limit = {0.0, 0.5 * k_tight}, .flat = true, .border_reach = k_far_border}, k_at_first);
+      {.limit = {.rms = 0.5 * k_tight}, .flat = true, .border_reach = k_far_border}, k_at_first);
   EXPECT_EQ(flat.weights().delta, k_first_delta_flat * k_tight_delta_far_border);
 }
 
@@ -172,7 +173,7 @@ TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
 double delta_led(std::optional<double> border_reach, double deviation, double bending,
                  double max_bending = 0.0) {
   SmoothControl control(
-      {.limit = {0.0, 0.5 * k_tight}, .max_bending = max_bending, .border_reach = border_reach},
+      {.limit = {.rms = 0.5 * k_tight}, .max_bending = max_bending, .border_reach = border_reach},
       k_at_first);
   control.start_finer();
   for (int k = 0; k < 40; ++k)
@@ -196,7 +197,7 @@ constexpr double k_bound = 3.0;
 
 TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
   const auto first_delta = [](double max_bending) {
-    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .max_bending = max_bending}, k_at_first)
+    return SmoothControl({.limit = {.rms = 0.5 * k_tight}, .max_bending = max_bending}, k_at_first)
         .weights()
         .delta;
   };

@@ -48,7 +48,7 @@ FLOORS = {
         ["mesh"],
         ["mesh/search", "mesh/coarsen", "mesh/cut", "mesh/polygon"],
         ["mesh/match", "mesh/carry", "mesh/repair"],
-        ["mesh/redundant"],
+        ["mesh/redundant", "mesh/geodesic"],
     ],
     "io": [["io/file"], ["io/unit"], ["io/formats", "io/svg", "io/model"], ["io"]],
     "measure": [["measure/simd"], ["measure"], ["measure/cautions", "measure/form"]],
@@ -105,7 +105,7 @@ FOR_THE_PROGRAM = {
     "sheet/carry/drawing_on_sheet.h",
     "sheet/cut_sheet.h",
 }
-MOST_PUBLIC_HEADERS = 60
+MOST_PUBLIC_HEADERS = 61
 
 # No folder of code, tests or tools holds more.
 MOST_FILES = 25

@@ -40,6 +40,7 @@
 #include <planish/measure/obstruction.h>
 #include <planish/mesh/carry.h>
 #include <planish/mesh/cut.h>
+#include <planish/mesh/geodesic.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>

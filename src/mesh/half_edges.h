@@ -15,7 +15,7 @@ class HalfEdges {
   static constexpr Index none = static_cast<Index>(-1);
 
   /// Linear time.
-  /// @pre an oriented manifold; every part of it has a border
+  /// @pre an oriented manifold; to change it, every part has a border
   explicit HalfEdges(const TriMesh& mesh);
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }

@@ -41,11 +41,13 @@
 #include <planish/mesh/carry.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/geodesic.h>
+#include <planish/mesh/imprint.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 #include <planish/mesh/seams.h>
 #include <planish/mesh/shapes.h>
+#include <planish/mesh/surface_line.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>

@@ -1,14 +1,20 @@
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
+#include <planish/mesh/carry.h>
+#include <planish/mesh/geodesic.h>
 
 #include "io/drawn_lines.h"
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
+#include "io/read_drawing.h"
 #include "mesh/mean_edge.h"
+#include "mesh/search/closest_point.h"
 #include "mesh/search/nearest_vertex.h"
 #include "platform/path.h"
 
@@ -67,6 +73,78 @@ CutLines listed_cuts(std::string_view bytes, const std::string& name, std::size_
   return cuts;
 }
 
+/// From vertex to vertex, along an edge or the shortest way over the surface.
+SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t number) {
+  const auto refuse = [&](const std::string& message, Index v) {
+    SourceLocation place = path.place;
+    place.first = v;
+    throw Error(ErrorCode::misplaced_cut, "cut " + std::to_string(number + 1) + message, place);
+  };
+  for (const Index v : path.vertices) {
+    if (patch.ring(v).empty())
+      refuse(" names vertex " + std::to_string(v) + ", which no triangle uses", v);
+  }
+  SurfaceLine line = line_along_edges(patch, {path.vertices.data(), 1});
+  for (std::size_t i = 1; i < path.vertices.size(); ++i) {
+    const std::array ends = {path.vertices[i - 1], path.vertices[i]};
+    if (ends[0] == ends[1]) continue;
+    const auto ring = patch.ring(ends[0]);
+    SurfaceLine part = line_along_edges(patch, ends);
+    if (std::find(ring.begin(), ring.end(), ends[1]) == ring.end())
+      part = geodesic(patch, part[0], part[1]).points;
+    line.insert(line.end(), part.begin() + 1, part.end());
+  }
+  if (line.size() < 2) {
+    refuse(" has one vertex only, " + std::to_string(path.vertices[0]) + ": it needs two at least",
+           path.vertices[0]);
+  }
+  return line;
+}
+
+CutLinesOnPatch listed_lines(std::string_view bytes, const Patch& patch, const std::string& name) {
+  const CutLines listed = listed_cuts(bytes, name, patch.vertex_count());
+  CutLinesOnPatch cuts;
+  for (std::size_t k = 0; k < listed.paths.size(); ++k) {
+    cuts.lines.push_back(line_through(patch, listed.paths[k], k));
+    cuts.places.push_back(listed.paths[k].place);
+  }
+  return cuts;
+}
+
+CutLinesOnPatch drawn_lines(std::string_view bytes, const Patch& patch, const std::string& name,
+                            double smoothing) {
+  const DrawnLines drawing = parse_obj_lines(bytes, name);
+  if (drawing.lines.empty()) {
+    throw Error(ErrorCode::malformed_file, "the file has no line (l), and points (p) cut nothing",
+                {.path = name, .line = 1});
+  }
+  const ClosestPointTree nearest(patch.mesh());
+  const double most = k_most_edges_off * mean_edge_length(patch.mesh());
+  CutLinesOnPatch cuts;
+  for (const DrawnLine& line : chained_lines(drawing.lines)) {
+    for (const Vec3 p : line.points) {
+      const double apart = distance_of(p, nearest.query(p).point);
+      cuts.farthest = std::max(cuts.farthest, apart);
+      if (apart <= most) continue;
+      throw Error(ErrorCode::misplaced_cut,
+                  "the line leaves the mesh at " + point_text(p) +
+                      ": that is farther away than three edges; is the drawing in other units?",
+                  line.place);
+    }
+    TracedLines traced = trace_lines(patch, {{smoothed_line(line, smoothing)}, {}});
+    cuts.outside_length += traced.outside_length;
+    for (SurfaceLine& part : traced.lines) {
+      cuts.lines.push_back(std::move(part));
+      cuts.places.push_back(line.place);
+    }
+  }
+  if (cuts.lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut, "no line of the drawing lies on the mesh",
+                {.path = name});
+  }
+  return cuts;
+}
+
 }  // namespace
 
 CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
@@ -81,6 +159,19 @@ CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::stri
   TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
   const LineDrawing drawing = parse_line_drawing(cursor);
   return snap_cuts(drawing, mesh, cursor, name);
+}
+
+CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch,
+                               double smoothing) {
+  const FileBytes file(path);
+  return parse_cut_lines(file.view(), patch, utf8_of(path), smoothing);
+}
+
+CutLinesOnPatch parse_cut_lines(std::string_view bytes, const Patch& patch, const std::string& name,
+                                double smoothing) {
+  if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+  if (lower_extension(path_of(name)) != ".obj") return listed_lines(bytes, patch, name);
+  return drawn_lines(bytes, patch, name, smoothing);
 }
 
 std::string format_cuts(std::span<const std::vector<Index>> paths) {

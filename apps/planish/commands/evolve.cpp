@@ -157,7 +157,6 @@ Command evolve_command() {
          {.extensions = names_of(k_mesh_formats)}},
         unit_flag(),
         scale_flag(),
-        cut_flag(),
         remesh_flag(),
         smooth_first_flag(),
         {"--history",
@@ -169,6 +168,7 @@ Command evolve_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
         csv_flag(),
         output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
+  groups.push_back(cut_flags());
   groups.push_back(model_flags());
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));

@@ -260,7 +260,6 @@ Command flatten_command() {
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
         scale_flag(),
-        cut_flag(),
         remesh_flag(),
         smooth_first_flag(),
         match_seams_flag(),
@@ -290,6 +289,7 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
+  groups.push_back(cut_flags());
   groups.push_back(model_flags());
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());

@@ -204,7 +204,6 @@ Command unfold_command() {
        {.extensions = output_names()}},
       unit_flag(),
       scale_flag(),
-      cut_flag(),
       match_seams_flag(),
       least_stretch_flag(),
       csv_flag(),
@@ -212,6 +211,7 @@ Command unfold_command() {
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
   std::vector<FlagGroup> groups = {{"Output", std::move(flags)},
+                                   cut_flags(),
                                    model_flags(),
                                    {"Limits of the pattern", limit_flags()},
                                    annotation_flags()};

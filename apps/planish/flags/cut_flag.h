@@ -12,8 +12,8 @@
 
 namespace planish::cli {
 
-/// --cut, for verbs that take a patch.
-Flag cut_flag();
+/// --cut and how its lines are taken, for verbs that take a patch.
+FlagGroup cut_flags();
 
 /// What --cut did to a mesh.
 struct CutOutcome {

@@ -8,6 +8,7 @@
 
 #include <planish/mesh/cut.h>
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -65,6 +66,27 @@ CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh);
 /// The same from memory.
 /// @param name used as the path in errors; its extension says which format `bytes` have
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name);
+
+/// Lines on a patch that a file draws or lists.
+struct CutLinesOnPatch {
+  std::vector<SurfaceLine> lines;
+  std::vector<SourceLocation> places;  ///< of each line, where the file has it
+  double farthest = 0.0;               ///< of drawn points from the patch; model units
+  double outside_length = 0.0;         ///< of drawn lines that lie off the patch; model units
+};
+
+/// Reads the lines that a patch is to be cut along, through triangles. An OBJ file draws them
+/// (trace_lines()); lines that it has edge by edge are chained. Any other file lists vertices, as
+/// read_cuts() reads it: those that no edge joins are joined by a shortest way.
+/// @param smoothing how far points of drawn lines may move to make them fair, model units
+/// @throws Error as read_cuts(), misplaced_cut also for a drawing none of which lies on the patch
+CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch,
+                               double smoothing = 0.0);
+
+/// The same from memory.
+/// @param name used as the path in errors; its extension says which format `bytes` have
+CutLinesOnPatch parse_cut_lines(std::string_view bytes, const Patch& patch, const std::string& name,
+                                double smoothing = 0.0);
 
 /// Such a file for paths with every vertex, a cut a line.
 std::string format_cuts(std::span<const std::vector<Index>> paths);

@@ -1,25 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include <planish/core/error.h>
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 
 namespace planish {
-
-/// A place on a triangle of a mesh. It means the same place on every mesh with the same triangles.
-struct SurfacePoint {
-  Triangle corners = {};                                       ///< vertices of the triangle
-  std::array<double, 3> shares = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< of them, >= 0, with sum 1
-};
-
-/// Where the place is on a mesh with these vertices.
-Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions);
-/// The same in a pattern.
-Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions);
 
 /// A line that was drawn over a mesh, straight from point to point. A closed one ends in its first
 /// point.
@@ -34,11 +23,21 @@ struct DrawnLines {
   std::vector<Vec3> points;      ///< that belong to no line
 };
 
+/// The lines with those joined that end in one point where no third one does, as programs write a
+/// line edge by edge.
+std::vector<DrawnLine> chained_lines(std::vector<DrawnLine> lines);
+
+/// A fairer line near a drawn one: without the teeth that it has where its points were put onto
+/// vertices of a mesh (Taubin 1995: smoothing that does not shrink). Ends stay, and points where it
+/// turns by more than 60 degrees over four points.
+/// @param tolerance how far a point may move, model units; 0: the line as it is
+DrawnLine smoothed_line(DrawnLine line, double tolerance);
+
 /// Lines and points that lie on a mesh, and how much of what was drawn does not.
 struct TracedLines {
   /// Each of two places or more, two that follow each other on one triangle. A line that leaves the
   /// mesh and comes back gives one for each part.
-  std::vector<std::vector<SurfacePoint>> lines;
+  std::vector<SurfaceLine> lines;
   std::vector<SurfacePoint> points;  ///< in the order that they were drawn
   double outside_length = 0.0;       ///< of lines that lie off the mesh, model units
   std::size_t outside_points = 0;    ///< points that lie off the mesh

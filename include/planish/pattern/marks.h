@@ -36,9 +36,6 @@ Vec2 place_of(const Mark& mark, std::span<const Vec2> positions);
 /// patch that it goes through.
 using InnerLine = std::vector<Index>;
 
-/// The same by places on the triangles of the patch.
-using SurfaceLine = std::vector<SurfacePoint>;
-
 /// The size of marks from side to side, millimetres.
 inline constexpr double k_cross_size = 6.0, k_drill_size = 3.0;
 

@@ -131,18 +131,6 @@ TracedLines traced(const TriMesh& mesh, const DrawnLines& drawn, double scale, c
 
 }  // namespace
 
-Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions) {
-  return place.shares[0] * positions[place.corners[0]] +
-         place.shares[1] * positions[place.corners[1]] +
-         place.shares[2] * positions[place.corners[2]];
-}
-
-Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions) {
-  return place.shares[0] * positions[place.corners[0]] +
-         place.shares[1] * positions[place.corners[1]] +
-         place.shares[2] * positions[place.corners[2]];
-}
-
 TracedLines trace_lines(const Patch& patch, const DrawnLines& drawn) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   const double scale = patch.unit_scale();

@@ -168,7 +168,8 @@ std::optional<SurfaceTrace::Walk> SurfaceTrace::walk(const PlaceOnTriangle& from
     const double way = way_to(place);
     const bool is_beyond = way > length;
     if (is_beyond && target == nullptr) return walk;
-    if (way > -k_same_place) walk.places.push_back(place);
+    if (!(way > -k_same_place)) return std::nullopt;  // around the back
+    walk.places.push_back(place);
     const Index twin = half_edges_.twin(*exit);
     if (twin == HalfEdges::none)
       return is_beyond && target != nullptr ? std::nullopt : std::optional(walk);
@@ -194,9 +195,11 @@ void SurfaceTrace::follow(const Stop& a, const Stop& b, int depth, LinePieces& p
   if (a.place && b.place) {
     follow_inside(a, b, depth, pieces);
   } else if (a.place) {
-    const Vec3 apart = b.point - point_of(*a.place, mesh_);
-    const auto way = walk(*a.place, normal_at(*a.place), unit(apart), norm(apart), nullptr);
-    if (!pieces.is_open()) pieces.add(*a.place);
+    // On the side of a seam that the line has come to.
+    const PlaceOnTriangle from = pieces.is_open() ? pieces.last() : *a.place;
+    const Vec3 apart = b.point - point_of(from, mesh_);
+    const auto way = walk(from, normal_at(from), unit(apart), norm(apart), nullptr);
+    if (!pieces.is_open()) pieces.add(from);
     Stop exit = a;
     if (way) {
       for (const PlaceOnTriangle& place : way->places)

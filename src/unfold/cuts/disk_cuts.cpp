@@ -1,29 +1,18 @@
 #include "unfold/cuts/disk_cuts.h"
 
 #include <algorithm>
+#include <string>
 
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
+#include <planish/unfold/suggest_cuts.h>
 
 #include "mesh/cut/inside_paths.h"
+#include "unfold/cuts/handle_cuts.h"
 
 namespace planish {
 
 namespace {
-
-/// Refuses what no cut from border to border makes a disk of.
-void check_topology(const Topology& topology) {
-  if (topology.components != 1) {
-    throw Error(ErrorCode::several_components,
-                "the mesh has " + std::to_string(topology.components) + " separate parts");
-  }
-  if (topology.genus > 0) {
-    throw Error(ErrorCode::handles,
-                "the mesh has handles (" + std::to_string(topology.genus) +
-                    "), for which no cut is suggested",
-                {.path = {}, .count = topology.genus});
-  }
-}
 
 std::vector<Index> cut_of_closed(const Patch& patch) {
   const std::vector<double> defects = angle_defects(patch);
@@ -62,18 +51,32 @@ std::vector<Index> cut_between_borders(const Patch& patch) {
   return *path;
 }
 
+std::size_t handles_of(const Patch& patch) {
+  return patch.inspection().topology.genus;
+}
+
 }  // namespace
 
-std::vector<std::vector<Index>> disk_cuts(const Patch& patch) {
-  check_topology(patch.inspection().topology);
+std::vector<std::vector<Index>> cut_graph(const Patch& patch) {
+  const Topology& topology = patch.inspection().topology;
+  if (topology.components != 1) {
+    throw Error(ErrorCode::several_components,
+                "the mesh has " + std::to_string(topology.components) + " separate parts");
+  }
   std::vector<std::vector<Index>> paths;
   if (patch.border_loops().empty()) {
+    if (handles_of(patch) > 0) return handle_cuts(patch);
     paths.push_back(cut_of_closed(patch));
     return paths;
   }
   while (paths.size() + 1 < patch.border_loops().size()) {
     const CutMesh cut = cut_along(patch, paths);
     paths.push_back(on_source(cut_between_borders(Patch(cut.mesh)), cut));
+  }
+  if (handles_of(patch) > 0) {
+    const CutMesh cut = cut_along(patch, paths);
+    for (const std::vector<Index>& path : handle_cuts(Patch(cut.mesh)))
+      paths.push_back(on_source(path, cut));
   }
   return paths;
 }

@@ -6,13 +6,6 @@
 
 namespace planish {
 
-/// Short cuts that make a disk of a mesh, by its own vertices: none for a disk. A closed surface is
-/// opened along the shortest path from the ring of greatest positive angle defect to the farthest
-/// of those with half as much; several borders are joined to the first by shortest paths, the
-/// nearest first.
-/// @throws Error several_components, handles
-std::vector<std::vector<Index>> disk_cuts(const Patch& patch);
-
 /// The mesh cut open along such paths.
 CutMesh cut_along(const Patch& patch, std::span<const std::vector<Index>> paths);
 

@@ -174,7 +174,7 @@ class CutSearch {
   }
 
   void open_to_disk() {
-    paths_ = disk_cuts(patch_);
+    paths_ = cut_graph(patch_);
     for (const auto& path : paths_)
       found_.cuts.push_back({path, path_length(path, patch_.positions())});
     found_.first = with_paths();

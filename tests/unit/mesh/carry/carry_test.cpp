@@ -412,5 +412,37 @@ TEST(TraceLines, JoinTheEndsOfAClosedLineThatLeavesTheMesh) {
   EXPECT_NEAR(points.back().x, 6.0, 1e-9);
 }
 
+TEST(ChainedLines, JoinsEdgesThatFollowEachOther) {
+  const Vec3 a{0, 0, 0}, b{1, 0, 0}, c{2, 0, 0}, d{2, 1, 0}, e{2, -1, 0};
+  // a b c in two edges, the second one backwards; three lines meet in c.
+  const auto chains = chained_lines({{{a, b}}, {{c, b}}, {{c, d}}, {{c, e}}});
+  ASSERT_EQ(chains.size(), 3U);
+  EXPECT_EQ(chains[0].points, (std::vector<Vec3>{a, b, c}));
+  const auto ring = chained_lines({{{a, b}}, {{b, d}}, {{d, a}}});
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_EQ(ring[0].points.size(), 4U);
+  EXPECT_EQ(ring[0].points.front(), ring[0].points.back());
+}
+
+TEST(SmoothedLine, HasNoTeethAndKeepsEndsAndCorners) {
+  DrawnLine teeth;
+  for (int i = 0; i <= 40; ++i)
+    teeth.points.push_back({0.5 * i, i % 2 == 0 ? 0.0 : 0.2, 0.0});
+  const DrawnLine fair = smoothed_line(teeth, 0.25);
+  EXPECT_EQ(fair.points.front(), teeth.points.front());
+  EXPECT_EQ(fair.points.back(), teeth.points.back());
+  for (std::size_t i = 0; i < fair.points.size(); ++i)
+    EXPECT_LE(norm(fair.points[i] - teeth.points[i]), 0.25 * (1.0 + 1e-12));
+  EXPECT_GT(length_of(teeth.points), 21.5);
+  EXPECT_LT(length_of(fair.points), 20.1);
+  EXPECT_EQ(smoothed_line(teeth, 0.0).points, teeth.points);
+  DrawnLine corner;
+  for (int i = 0; i <= 10; ++i)
+    corner.points.push_back({0.1 * i, 0.0, 0.0});
+  for (int i = 1; i <= 10; ++i)
+    corner.points.push_back({1.0, 0.1 * i, 0.0});
+  EXPECT_EQ(smoothed_line(corner, 0.1).points[10], corner.points[10]);
+}
+
 }  // namespace
 }  // namespace planish

@@ -203,7 +203,6 @@ TEST(SuggestCuts, RefusesWhatItCannotOpen) {
     }
     return ErrorCode::file_not_found;
   };
-  EXPECT_EQ(code_of(meshes::torus(8, 12)), ErrorCode::handles);
   EXPECT_EQ(code_of(meshes::side_by_side(meshes::fan(5), meshes::fan(6))),
             ErrorCode::several_components);
   EXPECT_EQ(code_of(meshes::fan(5), {.limits = {.max = 0.0}}), ErrorCode::option_out_of_range);

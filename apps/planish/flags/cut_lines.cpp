@@ -1,0 +1,160 @@
+#include "flags/cut_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <planish/io/read_features.h>
+#include <planish/mesh/geodesic.h>
+#include <planish/unfold/suggest_cuts.h>
+
+#include "flags/quantities.h"
+#include "flags/scale_flag.h"
+#include "flags/units.h"
+#include "mesh/mean_edge.h"
+#include "platform/path.h"
+#include "shell/failures.h"
+#include "shell/text.h"
+#include "text/lengths.h"
+
+namespace planish::cli {
+
+namespace {
+
+/// Of a mean edge: how far points of drawn lines may move to be fair, and vertices near a plane may
+/// be to count as on it.
+constexpr double k_smoothing = 0.5, k_on_plane = 1e-3;
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : text + " ") {
+    if (c != ' ') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+bool is_file(const std::string& text) {
+  std::error_code ignored;
+  return std::filesystem::exists(path_of(text), ignored);
+}
+
+/// The values of the flag: one where it is a file with commas in its name.
+std::vector<std::string> values_of(const std::string& text) {
+  if (is_file(text)) return {text};
+  std::vector<std::string> values;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) values.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return values;
+}
+
+/// "x=0", "y=12mm"
+Plane plane_of(const std::string& value, const std::vector<std::string>& words,
+               const Arguments& arguments) {
+  const std::string text = words.size() == 2 ? words[1] : "";
+  const auto axis = std::string_view("xyz").find(text.empty() ? '?' : text[0]);
+  if (axis == std::string_view::npos || text.size() < 3 || text[1] != '=') {
+    throw UsageError("--cut " + value + ": a plane is \"plane x=0\", \"plane y=12mm\" or with z");
+  }
+  const double offset =
+      quantity_value("--cut plane", text.substr(2), Quantity::length, {}, arguments);
+  constexpr std::array axes = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
+  return {axes[axis], offset / scale_from(arguments)};
+}
+
+void add(RequestedLines& all, std::vector<SurfaceLine> lines, const std::string& name) {
+  for (SurfaceLine& line : lines) {
+    all.lines.push_back(std::move(line));
+    all.names.push_back(name);
+    all.places.emplace_back();
+  }
+}
+
+void add_section(RequestedLines& all, const Patch& patch, const std::string& value,
+                 const std::vector<std::string>& words, const Arguments& arguments) {
+  auto lines = plane_section(patch, plane_of(value, words, arguments),
+                             k_on_plane * mean_edge_length(patch.mesh()));
+  if (lines.empty())
+    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the plane does not meet the mesh");
+  add(all, std::move(lines), value);
+}
+
+void add_creases(RequestedLines& all, const Patch& patch, const std::string& value,
+                 const std::vector<std::string>& words, const Arguments& arguments) {
+  const std::string angle = words.size() > 1 ? words[1] : "30deg";
+  const double least = quantity_value("--cut creases", angle, Quantity::angle,
+                                      {.min = 1.0, .max = 180.0}, arguments);
+  auto lines = crease_lines(patch, least);
+  if (lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the mesh has no creases of " +
+                                              angle + "; give a smaller angle");
+  }
+  add(all, std::move(lines), value);
+}
+
+/// A short cut graph, drawn tight from junction to junction.
+void add_cut_graph(RequestedLines& all, const Patch& patch) {
+  const std::vector<std::vector<Index>> graph = cut_graph(patch);
+  if (graph.empty()) all.notes.push_back("--cut open: the surface lies flat without a cut");
+  std::vector<SurfaceLine> lines;
+  for (const std::vector<Index>& path : graph) {
+    SurfaceLine line = line_along_edges(patch, path);
+    // Paths that share edges with others have to stay where these are.
+    lines.push_back(graph.size() == 1 ? shortened(patch, line).points : line);
+  }
+  add(all, std::move(lines), "open");
+}
+
+void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
+              const Arguments& arguments) {
+  const double smoothing = arguments.value_or("--smooth-lines", "yes") == "no"
+                               ? 0.0
+                               : k_smoothing * mean_edge_length(patch.mesh());
+  CutLinesOnPatch read = read_cut_lines(path_of(file), patch, smoothing);
+  const ShownLengths lengths(unit_from(arguments));
+  const double scale = scale_from(arguments);
+  if (read.farthest > 0.0) {
+    all.notes.push_back(file + ": what is drawn is at most " + lengths.text(scale * read.farthest) +
+                        " from the surface");
+  }
+  for (std::size_t k = 0; k < read.lines.size(); ++k) {
+    all.lines.push_back(std::move(read.lines[k]));
+    all.places.push_back(read.places[k]);
+    const auto line = read.places[k].line;
+    all.names.push_back(file + (line ? ":" + std::to_string(*line) : ""));
+  }
+}
+
+}  // namespace
+
+RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
+  RequestedLines all;
+  for (const std::string& value : values_of(arguments.flags.at("--cut"))) {
+    const std::vector<std::string> words = words_of(value);
+    if (is_file(value) || words.empty()) {
+      add_file(all, patch, value, arguments);
+    } else if (words[0] == "plane") {
+      add_section(all, patch, value, words, arguments);
+    } else if (value == "open") {
+      add_cut_graph(all, patch);
+    } else if (words[0] == "creases") {
+      add_creases(all, patch, value, words, arguments);
+    } else {
+      add_file(all, patch, value, arguments);
+    }
+  }
+  return all;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <planish/core/error.h>
+#include <planish/mesh/patch.h>
+
+namespace planish {
+
+/// A place on a triangle of a mesh. It means the same place on every mesh with the same triangles.
+struct SurfacePoint {
+  Triangle corners = {};                                       ///< vertices of the triangle
+  std::array<double, 3> shares = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< barycentric, >= 0, with sum 1
+};
+
+/// Where the place is on a mesh with these vertices.
+Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions);
+/// The same in a pattern.
+Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions);
+
+/// A line on a mesh from end to end, straight between two points that follow each other, which lie
+/// on one triangle: a point on an edge may be given by either triangle, a vertex by any. A closed
+/// line ends in its first point.
+using SurfaceLine = std::vector<SurfacePoint>;
+
+/// A line along edges.
+/// @param path vertices, each joined to the next one by an edge
+SurfaceLine line_along_edges(const Patch& patch, std::span<const Index> path);
+
+/// Length of the line on a mesh with these vertices, model units.
+double length_of(std::span<const SurfacePoint> line, std::span<const Vec3> positions);
+
+/// A plane: all p with dot(normal, p) = offset.
+struct Plane {
+  Vec3 normal = {0.0, 0.0, 1.0};  ///< of any length but 0
+  double offset = 0.0;            ///< model units times the length of the normal
+};
+
+/// Where a plane meets a mesh: lines through its triangles, each as long as it can be, in the order
+/// of the triangles that they begin in. A vertex nearer to the plane than `snap` counts as on it;
+/// edges on the plane belong to a line where the mesh goes on to both sides of it. Linear time.
+/// @param snap model units
+/// @throws Error option_out_of_range for a normal of length 0 and what is no number
+std::vector<SurfaceLine> plane_section(const Patch& patch, const Plane& plane, double snap = 0.0);
+
+/// Creases of a mesh, as chains of edges: those where its triangles meet at an angle of at least
+/// `least`, and edges that lead on from their ends with at least a third of it. Chains end where
+/// three creases meet, and at the border.
+/// @param least between normals, degrees, above 0
+/// @throws Error option_out_of_range
+std::vector<SurfaceLine> crease_lines(const Patch& patch, double least = 30.0);
+
+/// What was done at an end of a line.
+struct JoinedEnd {
+  std::size_t line = 0;                ///< its number, from 0
+  bool is_last = false;                ///< its last point, else its first one
+  double distance = 0.0;               ///< that it was away, model units
+  std::optional<std::size_t> to = {};  ///< the line that it meets now; none: the border
+};
+
+/// Lines of which ends meet others, or the border.
+struct JoinedLines {
+  std::vector<SurfaceLine> lines;  ///< in the same order
+  std::vector<JoinedEnd> joined = {};
+};
+
+/// Makes ends of lines that nearly meet another line, or the border, meet it: goes straight on to
+/// the nearest place. An end on the border or on a line, and both of a closed line, stay.
+/// @param tolerance how far an end may be away, model units
+JoinedLines join_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
+
+}  // namespace planish

@@ -1,0 +1,392 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <planish/mesh/imprint.h>
+
+#include "core/math.h"
+#include "mesh/imprint/constrained_delaunay.h"
+#include "mesh/imprint/line_nodes.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_straight = 1e-6;  // of the diagonal: how far a point is off that is left out
+constexpr int k_rounds = 4;          // of making angles larger
+
+/// A triangle that is divided.
+struct Face {
+  ConstrainedDelaunay inside;
+  std::vector<Index> nodes = {};    ///< of its own numbers
+  std::map<Index, Index> own = {};  ///< node -> its own number
+};
+
+/// A straight part of a line.
+struct Segment {
+  Index from, to;
+  LineNodes::Way way;
+};
+
+class Imprinter {
+ public:
+  Imprinter(const Patch& patch, const ImprintOptions& options)
+      : patch_(patch), options_(options), nodes_(patch, options) {}
+
+  ImprintedMesh imprint(std::span<const SurfaceLine> lines) {
+    for (const SurfaceLine& line : lines)
+      lines_.push_back(segments_of(line));
+    for (const auto& line : lines_) {
+      for (const Segment& segment : line) {
+        touch(segment.from);
+        touch(segment.to);
+      }
+    }
+    for (const auto& line : lines_) {
+      for (const Segment& segment : line) {
+        if (segment.way.on == LineNodes::On::face) connect(segment);
+      }
+    }
+    if (options_.least_angle > 0.0) widen_angles();
+    return result();
+  }
+
+ private:
+  std::vector<Segment> segments_of(const SurfaceLine& line);
+  std::vector<Index> chain_of(const SurfaceLine& line);
+  LineNodes::Way way_of(Index from, Index to) const;
+  std::vector<SurfacePoint> few_points(const SurfaceLine& line) const;
+  void connect(const Segment& segment);
+  void touch(Index node);
+  Face& face(Index triangle);
+  Index own_number(Index triangle, Index node);
+  void learn_nodes(Index triangle);
+
+  struct Needle {
+    Index triangle;
+    Index near, far;  // ends of a long side, the near one at the short side; own numbers
+    double share;     // of the way from near to far
+  };
+  void widen_angles();
+  void find_needles(Index triangle, std::vector<Needle>& needles) const;
+  void divide(const Needle& needle);
+  std::optional<Index> outer_side(const Face& face, Index triangle, Index a, Index b) const;
+
+  ImprintedMesh result() const;
+  std::vector<Index> numbers() const;
+  std::vector<Index> path_of(const std::vector<Segment>& line) const;
+
+  const Patch& patch_;
+  ImprintOptions options_;
+  LineNodes nodes_;
+  std::vector<std::vector<Segment>> lines_;
+  std::map<Index, Face> faces_;
+};
+
+[[noreturn]] void refuse(std::size_t number, const std::string& message) {
+  throw Error(ErrorCode::misplaced_cut, "line " + std::to_string(number + 1) + ": " + message,
+              {.path = {}, .first = number});
+}
+
+bool are_inside(const SurfacePoint& a, const SurfacePoint& b) {
+  const auto is_inside = [](const SurfacePoint& p) {
+    return std::all_of(p.shares.begin(), p.shares.end(), [](double share) { return share > 0.0; });
+  };
+  return is_inside(a) && is_inside(b) && a.corners == b.corners;
+}
+
+/// Of points inside one triangle only those that a straight line would miss (Douglas and Peucker).
+std::vector<SurfacePoint> Imprinter::few_points(const SurfaceLine& line) const {
+  const auto& points = line;
+  const double most = k_straight * bounding_box_diagonal(nodes_.scaled());
+  std::vector<unsigned char> kept(points.size(), 1);
+  const auto place = [&](std::size_t i) {
+    return position_of(points[i], nodes_.scaled().positions);
+  };
+  const auto thin = [&](std::size_t first, std::size_t last) {
+    std::vector<std::array<std::size_t, 2>> open = {{first, last}};
+    while (!open.empty()) {
+      const auto [a, b] = open.back();
+      open.pop_back();
+      const Vec3 from = place(a), along = place(b) - from;
+      double farthest = 0.0;
+      std::size_t at = a;
+      for (std::size_t i = a + 1; i < b; ++i) {
+        const Vec3 to = place(i) - from;
+        const double length = dot(along, along);
+        const double share = length > 0.0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0.0;
+        const double apart = norm(to - share * along);
+        if (apart >= farthest) farthest = apart, at = i;
+      }
+      if (at == a || farthest <= most) {
+        for (std::size_t i = a + 1; i < b; ++i)
+          kept[i] = 0;
+      } else {
+        open.push_back({a, at});
+        open.push_back({at, b});
+      }
+    }
+  };
+  for (std::size_t begin = 1; begin + 1 < points.size(); ++begin) {
+    std::size_t end = begin;
+    while (end + 1 < points.size() && are_inside(points[begin], points[end]))
+      ++end;
+    if (end > begin) thin(begin - 1, end);
+    begin = std::max(begin, end);
+  }
+  std::vector<SurfacePoint> few;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i] != 0) few.push_back(points[i]);
+  }
+  return few;
+}
+
+/// The nodes of a line, each other than the one before.
+std::vector<Index> Imprinter::chain_of(const SurfaceLine& line) {
+  for (const SurfacePoint& point : line) {
+    if (std::any_of(point.corners.begin(), point.corners.end(),
+                    [&](Index v) { return v >= nodes_.vertex_count(); }))
+      refuse(lines_.size(), "it names a vertex that the mesh does not have");
+  }
+  std::vector<Index> chain;
+  for (const SurfacePoint& point : few_points(line)) {
+    const auto node = nodes_.add(point);
+    if (!node) refuse(lines_.size(), "a point of it is on no triangle of the mesh");
+    if (chain.empty() || chain.back() != *node) chain.push_back(*node);
+  }
+  return chain;
+}
+
+LineNodes::Way Imprinter::way_of(Index from, Index to) const {
+  const auto way = nodes_.way(from, to);
+  if (!way)
+    refuse(lines_.size(), "two points of it that follow each other are on no triangle together");
+  return *way;
+}
+
+/// Where a point was put onto a vertex, the line takes the short way past points beside it.
+std::vector<Segment> Imprinter::segments_of(const SurfaceLine& line) {
+  std::vector<Index> chain = chain_of(line), straight;
+  const double most = nodes_.farthest_snap();
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const bool is_between = !straight.empty() && i + 1 < chain.size();
+    if (is_between && most > 0.0 && nodes_.node(chain[i]).on == LineNodes::On::edge) {
+      const Vec3 from = nodes_.position(straight.back());
+      const Vec3 along = nodes_.position(chain[i + 1]) - from,
+                 to = nodes_.position(chain[i]) - from;
+      const double share = std::clamp(dot(to, along) / dot(along, along), 0.0, 1.0);
+      if (norm(to - share * along) <= most && nodes_.way(straight.back(), chain[i + 1])) continue;
+    }
+    if (straight.empty() || straight.back() != chain[i]) straight.push_back(chain[i]);
+  }
+  std::vector<Segment> segments;
+  for (std::size_t i = 1; i < straight.size(); ++i) {
+    segments.push_back({straight[i - 1], straight[i], way_of(straight[i - 1], straight[i])});
+  }
+  return segments;
+}
+
+Face& Imprinter::face(Index triangle) {
+  if (const auto found = faces_.find(triangle); found != faces_.end()) return found->second;
+  const Triangle& t = nodes_.scaled().triangles[triangle];
+  const auto length = [&](std::size_t k) {
+    return norm(nodes_.scaled().positions[t[(k + 1) % 3]] - nodes_.scaled().positions[t[k]]);
+  };
+  Face face{ConstrainedDelaunay({length(0), length(1), length(2)}), {t[0], t[1], t[2]}};
+  return faces_.emplace(triangle, std::move(face)).first->second;
+}
+
+/// The number of a node in a triangle, which gets it where it has not.
+Index Imprinter::own_number(Index triangle, Index node) {
+  Face& at = face(triangle);
+  const Index own = at.inside.add(nodes_.grid_in(triangle, node));
+  if (own >= at.nodes.size()) at.nodes.resize(own + 1, node);
+  at.own[node] = own;
+  return own;
+}
+
+/// Gives nodes that are only known to a triangle numbers among all.
+void Imprinter::learn_nodes(Index triangle) {
+  Face& at = faces_.at(triangle);
+  for (std::size_t own = at.nodes.size(); own < at.inside.nodes().size(); ++own)
+    at.nodes.push_back(nodes_.new_in_face(triangle, at.inside.nodes()[own]));
+}
+
+void Imprinter::connect(const Segment& segment) {
+  const Index triangle = segment.way.element;
+  const Index a = own_number(triangle, segment.from), b = own_number(triangle, segment.to);
+  faces_.at(triangle).inside.connect(a, b);
+  learn_nodes(triangle);
+}
+
+/// The triangles at a node on an edge are divided on both sides.
+void Imprinter::touch(Index node) {
+  const LineNodes::Node at = nodes_.node(node);
+  if (at.on == LineNodes::On::vertex) return;
+  if (at.on == LineNodes::On::face) {
+    own_number(at.element, node);
+    return;
+  }
+  own_number(at.element / 3, node);
+  const Index twin = nodes_.half_edges().twin(at.element);
+  if (twin != HalfEdges::none) own_number(twin / 3, node);
+}
+
+/// The half-edge of the triangle that two of its nodes lie on.
+std::optional<Index> Imprinter::outer_side(const Face& face, Index triangle, Index a,
+                                           Index b) const {
+  const Vec2 p = face.inside.nodes()[a], q = face.inside.nodes()[b];
+  if (p.y == 0.0 && q.y == 0.0) return 3 * triangle;
+  if (p.x + p.y == k_cells && q.x + q.y == k_cells) return 3 * triangle + 1;
+  if (p.x == 0.0 && q.x == 0.0) return 3 * triangle + 2;
+  return std::nullopt;
+}
+
+/// Triangles with one short side, of which the long ones can be divided so that sizes change by
+/// less from one triangle to the next.
+void Imprinter::find_needles(Index triangle, std::vector<Needle>& needles) const {
+  constexpr double degree = 0.017453292519943295;
+  const Face& at = faces_.at(triangle);
+  const double least = math::sin(options_.least_angle * degree);
+  for (const Triangle& t : at.inside.triangles()) {
+    std::array<double, 3> sides{};
+    for (std::size_t k = 0; k < 3; ++k)
+      sides[k] = norm(at.inside.place(t[(k + 1) % 3]) - at.inside.place(t[k]));
+    const auto shortest =
+        static_cast<std::size_t>(std::min_element(sides.begin(), sides.end()) - sides.begin());
+    const Index a = t[shortest], b = t[(shortest + 1) % 3], tip = t[(shortest + 2) % 3];
+    if (a < 3 && b < 3) continue;  // a side of the mesh
+    const double longest = *std::max_element(sides.begin(), sides.end());
+    if (sides[shortest] >= least * longest) continue;
+    const auto is_fixed = [&](Index near) {
+      return outer_side(at, triangle, near, tip) || at.inside.is_segment(near, tip);
+    };
+    if (is_fixed(a) && is_fixed(b)) continue;  // the angle between two lines is what it is
+    for (const auto& [near, side] :
+         {std::pair{a, (shortest + 2) % 3}, std::pair{b, (shortest + 1) % 3}}) {
+      const double length = sides[side];
+      if (sides[shortest] >= least * length || !is_fixed(near)) continue;
+      needles.push_back({triangle, near, tip, std::sqrt(sides[shortest] / length)});
+    }
+  }
+}
+
+void Imprinter::divide(const Needle& needle) {
+  Face& at = faces_.at(needle.triangle);
+  const auto half = outer_side(at, needle.triangle, needle.near, needle.far);
+  if (!half) {
+    if (at.inside.is_segment(needle.near, needle.far)) {
+      at.inside.divide(needle.near, needle.far, needle.share);
+      learn_nodes(needle.triangle);
+    }
+    return;
+  }
+  const auto cells = [&](Index own) {
+    const Vec2 grid = at.inside.nodes()[own];
+    return *half % 3 == 0 ? grid.x : *half % 3 == 1 ? grid.y : k_cells - grid.y;
+  };
+  const double from = cells(needle.near), to = cells(needle.far);
+  // Another triangle may have divided the side already.
+  for (const Index node : nodes_.on_edge(*half)) {
+    const Vec2 grid = nodes_.grid_in(needle.triangle, node);
+    const double place = *half % 3 == 0 ? grid.x : *half % 3 == 1 ? grid.y : k_cells - grid.y;
+    if ((place - from) * (place - to) < 0.0) return;
+  }
+  touch(nodes_.add_on_edge(*half, std::nearbyint(from + needle.share * (to - from))));
+}
+
+void Imprinter::widen_angles() {
+  std::vector<Index> open;
+  for (const auto& [triangle, face] : faces_)
+    open.push_back(triangle);
+  for (int round = 0; round < k_rounds; ++round) {
+    std::vector<Needle> needles;
+    for (const auto& [triangle, face] : faces_)
+      find_needles(triangle, needles);
+    if (needles.empty()) return;
+    for (const Needle& needle : needles)
+      divide(needle);
+  }
+}
+
+std::vector<Index> Imprinter::path_of(const std::vector<Segment>& line) const {
+  std::vector<Index> path;
+  for (const Segment& segment : line) {
+    std::vector<Index> part;
+    if (segment.way.on == LineNodes::On::edge) {
+      part = nodes_.along(segment.way.element, segment.from, segment.to);
+    } else {
+      const Face& at = faces_.at(segment.way.element);
+      for (const Index node : at.inside.path(at.own.at(segment.from), at.own.at(segment.to)))
+        part.push_back(at.nodes[node]);
+    }
+    path.insert(path.end(), part.begin() + (path.empty() ? 0 : 1), part.end());
+  }
+  return path;
+}
+
+/// Of nodes in the result: those that lines were led past get none.
+std::vector<Index> Imprinter::numbers() const {
+  std::vector<Index> numbers(nodes_.count(), HalfEdges::none);
+  std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(nodes_.vertex_count()),
+            Index{0});
+  for (const auto& [triangle, face] : faces_) {
+    for (const Index node : face.nodes)
+      numbers[node] = node;
+  }
+  auto next = static_cast<Index>(nodes_.vertex_count());
+  for (std::size_t node = next; node < numbers.size(); ++node) {
+    if (numbers[node] != HalfEdges::none) numbers[node] = next++;
+  }
+  return numbers;
+}
+
+ImprintedMesh Imprinter::result() const {
+  ImprintedMesh result;
+  const TriMesh& mesh = patch_.mesh();
+  const std::vector<Index> number = numbers();
+  result.mesh.positions = mesh.positions;
+  for (auto node = static_cast<Index>(nodes_.vertex_count()); node < nodes_.count(); ++node) {
+    if (number[node] == HalfEdges::none) continue;
+    result.new_vertices.push_back(nodes_.place(node));
+    result.mesh.positions.push_back(position_of(result.new_vertices.back(), mesh.positions));
+  }
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto found = faces_.find(t);
+    if (found == faces_.end()) {
+      result.mesh.triangles.push_back(mesh.triangles[t]);
+      result.triangle_of.push_back(t);
+      continue;
+    }
+    for (const Triangle& own : found->second.inside.triangles()) {
+      const auto& nodes = found->second.nodes;
+      result.mesh.triangles.push_back(
+          {number[nodes[own[0]]], number[nodes[own[1]]], number[nodes[own[2]]]});
+      result.triangle_of.push_back(t);
+    }
+  }
+  for (const auto& line : lines_) {
+    std::vector<Index>& path = result.paths.emplace_back();
+    for (const Index node : path_of(line)) {
+      if (number[node] != HalfEdges::none) path.push_back(number[node]);
+    }
+  }
+  result.snapped = nodes_.snapped();
+  result.farthest_snap = nodes_.farthest_snap() / patch_.unit_scale();
+  return result;
+}
+
+}  // namespace
+
+ImprintedMesh imprint(const Patch& patch, std::span<const SurfaceLine> lines,
+                      const ImprintOptions& options) {
+  if (!(options.snap >= 0.0 && options.snap <= 0.25) || !(options.farthest_snap >= 0.0))
+    throw Error(ErrorCode::option_out_of_range, "a snap must be from 0 to 0.25 of an edge");
+  return Imprinter(patch, options).imprint(lines);
+}
+
+}  // namespace planish

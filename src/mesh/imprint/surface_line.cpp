@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <planish/mesh/surface_line.h>
+
+#include "core/math.h"
+
+namespace planish {
+
+Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions) {
+  return place.shares[0] * positions[place.corners[0]] +
+         place.shares[1] * positions[place.corners[1]] +
+         place.shares[2] * positions[place.corners[2]];
+}
+
+Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions) {
+  return place.shares[0] * positions[place.corners[0]] +
+         place.shares[1] * positions[place.corners[1]] +
+         place.shares[2] * positions[place.corners[2]];
+}
+
+SurfaceLine line_along_edges(const Patch& patch, std::span<const Index> path) {
+  SurfaceLine line;
+  for (const Index v : path) {
+    const auto ring = patch.ring(v);
+    line.push_back({{v, ring[0], ring[1]}, {1.0, 0.0, 0.0}});
+  }
+  return line;
+}
+
+double length_of(std::span<const SurfacePoint> line, std::span<const Vec3> positions) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec3 step = position_of(line[i], positions) - position_of(line[i - 1], positions);
+    length += math::hypot(step.x, step.y, step.z);
+  }
+  return length;
+}
+
+}  // namespace planish

@@ -1,0 +1,300 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/carry.h>
+#include <planish/mesh/cut.h>
+#include <planish/mesh/imprint.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+constexpr double k_degree = 0.017453292519943295;
+
+double area_of(const TriMesh& mesh, std::size_t t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const auto& p = mesh.positions;
+  return 0.5 * norm(cross(p[b] - p[a], p[c] - p[a]));
+}
+
+double smallest_angle(const TriMesh& mesh, std::size_t t) {
+  double smallest = 4.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = mesh.positions[mesh.triangles[t][k]];
+    const Vec3 u = mesh.positions[mesh.triangles[t][(k + 1) % 3]] - a,
+               v = mesh.positions[mesh.triangles[t][(k + 2) % 3]] - a;
+    smallest = std::min(smallest, std::atan2(norm(cross(u, v)), dot(u, v)));
+  }
+  return smallest / k_degree;
+}
+
+/// Of the triangles that are new, the fraction with an angle below 5 degrees where the triangle
+/// that they are part of has none.
+double slivers(const ImprintedMesh& imprinted, const TriMesh& mesh) {
+  std::size_t thin = 0, all = 0;
+  std::vector<std::size_t> parts(mesh.triangles.size(), 0);
+  for (const Index t : imprinted.triangle_of)
+    ++parts[t];
+  for (std::size_t t = 0; t < imprinted.mesh.triangles.size(); ++t) {
+    const Index whole = imprinted.triangle_of[t];
+    if (parts[whole] == 1) continue;
+    ++all;
+    if (smallest_angle(imprinted.mesh, t) < 5.0 && smallest_angle(mesh, whole) >= 5.0) ++thin;
+  }
+  return all == 0 ? 0.0 : static_cast<double>(thin) / static_cast<double>(all);
+}
+
+double distance_to(Vec3 p, const std::vector<Vec3>& line) {
+  double nearest = 1e300;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec3 along = line[i] - line[i - 1], to = p - line[i - 1];
+    const double length = dot(along, along);
+    const double share = length > 0.0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, norm(to - share * along));
+  }
+  return nearest;
+}
+
+std::vector<Vec3> places(const SurfaceLine& line, const TriMesh& mesh) {
+  std::vector<Vec3> places;
+  for (const SurfacePoint& point : line)
+    places.push_back(position_of(point, mesh.positions));
+  return places;
+}
+
+/// What holds of every imprint.
+void expect_sound(const ImprintedMesh& imprinted, const TriMesh& mesh,
+                  std::span<const SurfaceLine> lines, double scale) {
+  const std::size_t n = mesh.positions.size();
+  ASSERT_GE(imprinted.mesh.positions.size(), n);
+  EXPECT_EQ(std::memcmp(imprinted.mesh.positions.data(), mesh.positions.data(), n * sizeof(Vec3)),
+            0);
+  ASSERT_EQ(imprinted.new_vertices.size(), imprinted.mesh.positions.size() - n);
+  ASSERT_EQ(imprinted.triangle_of.size(), imprinted.mesh.triangles.size());
+  const Inspection before = inspect(mesh), after = inspect(imprinted.mesh);
+  EXPECT_FALSE(blocking_problem(after, Purpose::measure));
+  EXPECT_EQ(after.topology.border_loops, before.topology.border_loops);
+  EXPECT_EQ(after.topology.components, before.topology.components);
+  std::vector<double> area(mesh.triangles.size(), 0.0);
+  for (std::size_t t = 0; t < imprinted.mesh.triangles.size(); ++t)
+    area[imprinted.triangle_of[t]] += area_of(imprinted.mesh, t);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    EXPECT_NEAR(area[t], area_of(mesh, t), 1e-12 * scale * scale);
+  std::set<std::array<Index, 2>> edges;
+  for (const Triangle& t : imprinted.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+  }
+  ASSERT_EQ(imprinted.paths.size(), lines.size());
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const auto& path = imprinted.paths[l];
+    const std::vector<Vec3> drawn = places(lines[l], mesh);
+    const double length = length_of(lines[l], mesh.positions);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      EXPECT_TRUE(edges.contains({std::min(path[i - 1], path[i]), std::max(path[i - 1], path[i])}));
+    }
+    if (path.size() < 2) continue;
+    for (const Index v : path)
+      EXPECT_LE(distance_to(imprinted.mesh.positions[v], drawn),
+                imprinted.farthest_snap * 1.001 + 2e-6 * scale);
+    EXPECT_NEAR(path_length(path, imprinted.mesh.positions), length, 1e-3 * length + 1e-4 * scale);
+  }
+}
+
+std::vector<SurfaceLine> traced(const Patch& patch, const std::vector<std::vector<Vec3>>& drawn) {
+  DrawnLines lines;
+  for (const auto& line : drawn)
+    lines.lines.push_back({line});
+  std::vector<SurfaceLine> result;
+  for (auto& line : trace_lines(patch, lines).lines)
+    result.push_back(std::move(line));
+  return result;
+}
+
+Vec3 random_place(const TriMesh& mesh, meshes::Random& random) {
+  const auto pick = static_cast<std::size_t>((0.5 + 0.5 * random.number()) *
+                                             static_cast<double>(mesh.triangles.size()));
+  const Triangle& t = mesh.triangles[std::min(pick, mesh.triangles.size() - 1)];
+  double a = 0.5 + 0.5 * random.number(), b = 0.5 + 0.5 * random.number();
+  if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
+  return position_of(SurfacePoint{t, {1.0 - a - b, a, b}}, mesh.positions);
+}
+
+void try_random_lines(const TriMesh& mesh, std::size_t lines, std::uint64_t seed,
+                      double most_slivers) {
+  const Patch patch(mesh);
+  const double scale = bounding_box_diagonal(mesh);
+  meshes::Random random(seed);
+  std::vector<std::vector<Vec3>> drawn;
+  for (std::size_t k = 0; k < lines; ++k) {
+    drawn.push_back({random_place(mesh, random), random_place(mesh, random)});
+    if (k % 3 == 0) drawn.back().push_back(random_place(mesh, random));
+  }
+  const std::vector<SurfaceLine> on_mesh = traced(patch, drawn);
+  const ImprintedMesh imprinted = imprint(patch, on_mesh);
+  expect_sound(imprinted, mesh, on_mesh, scale);
+  EXPECT_LE(slivers(imprinted, mesh), most_slivers);
+}
+
+TEST(Imprint, OfALineThroughOneTriangle) {
+  const TriMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const Patch patch(mesh);
+  const std::vector<SurfaceLine> lines = {
+      {{{0, 1, 2}, {0.5, 0.5, 0.0}}, {{1, 2, 0}, {0.25, 0.75, 0.0}}}};
+  const ImprintedMesh imprinted = imprint(patch, lines, {.least_angle = 0.0});
+  expect_sound(imprinted, mesh, lines, 1.0);
+  EXPECT_EQ(imprinted.mesh.triangles.size(), 3U);
+  EXPECT_EQ(imprinted.paths[0], (std::vector<Index>{3, 4}));
+  EXPECT_EQ(imprinted.mesh.positions[3], (Vec3{0.5, 0.0, 0.0}));
+  EXPECT_EQ(imprinted.mesh.positions[4], (Vec3{0.25, 0.75, 0.0}));
+}
+
+TEST(Imprint, OfNothingIsTheMesh) {
+  const TriMesh mesh = meshes::flat_grid(3, 3);
+  const ImprintedMesh imprinted = imprint(Patch(mesh), {});
+  EXPECT_EQ(imprinted.mesh.triangles, mesh.triangles);
+  EXPECT_EQ(imprinted.mesh.positions, mesh.positions);
+}
+
+TEST(Imprint, LinesThatCrossShareAVertex) {
+  const TriMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::vector<SurfaceLine> lines = {
+      {{{0, 1, 2}, {0.7, 0.3, 0.0}}, {{0, 1, 2}, {0.0, 0.4, 0.6}}},
+      {{{0, 1, 2}, {0.6, 0.0, 0.4}}, {{0, 1, 2}, {0.0, 0.7, 0.3}}}};
+  const ImprintedMesh imprinted = imprint(Patch(mesh), lines, {.least_angle = 0.0});
+  expect_sound(imprinted, mesh, lines, 1.0);
+  ASSERT_EQ(imprinted.paths[0].size(), 3U);
+  ASSERT_EQ(imprinted.paths[1].size(), 3U);
+  EXPECT_EQ(imprinted.paths[0][1], imprinted.paths[1][1]);
+}
+
+TEST(Imprint, RandomLines) {
+  try_random_lines(meshes::flat_grid(7, 5), 40, 1, 0.05);
+  try_random_lines(make_shape("dome", 2000), 20, 2, 0.02);
+  try_random_lines(make_shape("cylinder", 1000), 20, 3, 0.02);
+  try_random_lines({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 60, 4, 1.0);
+}
+
+TEST(Imprint, PlaneSectionOfAGridIsStraight) {
+  const TriMesh mesh = meshes::height_field(
+      20, 20, [](double x, double y) { return 0.1 * x * (20.0 - x) * 0.1 + 0.02 * y * y; });
+  const Patch patch(mesh);
+  const auto lines = plane_section(patch, {{1.0, 0.3, 0.0}, 10.0});
+  ASSERT_EQ(lines.size(), 1U);
+  const ImprintedMesh imprinted = imprint(patch, lines);
+  expect_sound(imprinted, mesh, lines, bounding_box_diagonal(mesh));
+  for (const SurfacePoint& point : lines[0]) {
+    const Vec3 p = position_of(point, mesh.positions);
+    EXPECT_NEAR(p.x + 0.3 * p.y, 10.0, 1e-12);
+  }
+  EXPECT_LE(slivers(imprinted, mesh), 0.01);
+}
+
+TEST(Imprint, PlaneSectionAlongEdgesFollowsThem) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  const Patch patch(mesh);
+  const auto lines = plane_section(patch, {{1.0, 0.0, 0.0}, 2.0});
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].size(), 5U);
+  EXPECT_TRUE(plane_section(patch, {{1.0, 0.0, 0.0}, 0.0}).empty());
+  EXPECT_TRUE(plane_section(patch, {{1.0, 0.0, 0.0}, 9.0}).empty());
+  const ImprintedMesh imprinted = imprint(patch, lines);
+  EXPECT_EQ(imprinted.mesh.triangles, mesh.triangles);
+  EXPECT_EQ(imprinted.paths[0].size(), 5U);
+}
+
+TEST(Imprint, ClosedSectionEndsWhereItBegins) {
+  const TriMesh mesh = meshes::tube(40, 12);
+  const Patch patch(mesh);
+  const auto lines = plane_section(patch, {{0.05, 0.02, 1.0}, 1.7});
+  ASSERT_EQ(lines.size(), 1U);
+  const ImprintedMesh imprinted = imprint(patch, lines);
+  ASSERT_GT(imprinted.paths[0].size(), 20U);
+  EXPECT_EQ(imprinted.paths[0].front(), imprinted.paths[0].back());
+}
+
+SurfacePoint nearest_place(const Patch& patch, Vec3 p) {
+  return trace_lines(patch, {{}, {p}}).points.at(0);
+}
+
+TEST(CreaseLines, AreTheEdgesOfARoof) {
+  // A ridge at x = 3 that fades towards y = 8.
+  const TriMesh mesh = meshes::height_field(
+      6, 8, [](double x, double y) { return (1.0 - 0.11 * y) * (3.0 - std::abs(x - 3.0)); });
+  const Patch patch(mesh);
+  const auto lines = crease_lines(patch, 45.0);
+  ASSERT_EQ(lines.size(), 1U);
+  for (const SurfacePoint& point : lines[0])
+    EXPECT_EQ(position_of(point, mesh.positions).x, 3.0);
+  EXPECT_GE(lines[0].size(), 6U) << "weaker edges lead on";
+  EXPECT_TRUE(crease_lines(Patch(meshes::flat_grid(4, 4))).empty());
+  EXPECT_THROW(crease_lines(patch, 0.0), Error);
+}
+
+TEST(JoinLines, LeadsEndsOnToLinesAndTheBorder) {
+  const TriMesh mesh = meshes::flat_grid(10, 10);
+  const Patch patch(mesh);
+  const auto line = [&](Vec3 a, Vec3 b) { return traced(patch, {{a, b}}).at(0); };
+  // The second ends 0.3 before the first and 0.2 before the border.
+  const JoinedLines joined = join_lines(
+      patch, {line({0.0, 5.2, 0.0}, {10.0, 5.2, 0.0}), line({4.3, 4.9, 0.0}, {4.3, 0.2, 0.0})},
+      0.5);
+  ASSERT_EQ(joined.joined.size(), 2U);
+  EXPECT_EQ(joined.joined[0].line, 1U);
+  EXPECT_FALSE(joined.joined[0].is_last);
+  EXPECT_NEAR(joined.joined[0].distance, 0.3, 1e-9);
+  EXPECT_EQ(joined.joined[0].to, 0U);
+  EXPECT_TRUE(joined.joined[1].is_last);
+  EXPECT_FALSE(joined.joined[1].to);
+  const ImprintedMesh imprinted = imprint(patch, joined.lines);
+  const auto &first = imprinted.paths[0], &second = imprinted.paths[1];
+  EXPECT_NE(std::find(first.begin(), first.end(), second.front()), first.end());
+  EXPECT_EQ(imprinted.mesh.positions[second.back()].y, 0.0);
+  EXPECT_EQ(cut_open(Patch(imprinted.mesh), std::vector<CutPath>{{first}, {second}})
+                .mesh.positions.size(),
+            imprinted.mesh.positions.size() + first.size() + second.size());
+}
+
+TEST(JoinLines, LeavesWhatIsFarAndWhatMeetsAlready) {
+  const Patch patch(meshes::flat_grid(10, 10));
+  const auto line = [&](Vec3 a, Vec3 b) { return traced(patch, {{a, b}}).at(0); };
+  const auto far = join_lines(patch, {line({2.0, 3.0, 0.0}, {2.0, 6.1, 0.0})}, 0.5);
+  EXPECT_TRUE(far.joined.empty());
+  const auto closed = traced(patch, {{{3, 3, 0}, {6, 3, 0}, {6, 6, 0}, {3, 3, 0}}});
+  EXPECT_TRUE(join_lines(patch, closed, 5.0).joined.empty());
+}
+
+TEST(Imprint, RefusesLinesThatAreNotOnTheMesh) {
+  const Patch patch(meshes::flat_grid(4, 4));
+  const SurfacePoint here = nearest_place(patch, {0.6, 0.3, 0.0}),
+                     there = nearest_place(patch, {3.6, 3.3, 0.0});
+  const auto error_of = [&](const SurfaceLine& line) {
+    try {
+      imprint(patch, std::vector<SurfaceLine>{{here}, line});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().first, 1U);
+      return error.message();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error_of({here, there}),
+            "line 2: two points of it that follow each other are on no triangle together");
+  EXPECT_EQ(error_of({{{0, 1, 7}, {1.0, 0.0, 0.0}}}),
+            "line 2: a point of it is on no triangle of the mesh");
+  EXPECT_EQ(error_of({{{0, 1, 99}, {1.0, 0.0, 0.0}}}),
+            "line 2: it names a vertex that the mesh does not have");
+  SurfacePoint bad = here;
+  bad.shares[0] = std::nan("");
+  EXPECT_EQ(error_of({bad}), "line 2: a point of it is on no triangle of the mesh");
+}
+
+}  // namespace
+}  // namespace planish

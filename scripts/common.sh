@@ -7,7 +7,6 @@ build_packages="
 g++                 command g++
 cmake               command cmake
 ninja-build         command ninja
-libcli11-dev        header CLI/CLI.hpp
 libeigen3-dev       header eigen3/Eigen/Core
 libfast-float-dev   header fast_float/fast_float.h
 libpng-dev          header png.h

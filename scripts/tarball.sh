@@ -6,7 +6,7 @@ dpkg-dev            command dpkg-source
 "
 
 # Debian's packages whose code is in the program: their licences go with it.
-tarball_parts="libc6-dev libcli11-dev libeigen3-dev libfast-float-dev libpng-dev libpolyclipping-dev
+tarball_parts="libc6-dev libeigen3-dev libfast-float-dev libpng-dev libpolyclipping-dev
   libstdc++-12-dev nlohmann-json3-dev zlib1g-dev"
 
 make_tarball() { # folder of the build, processor, strip program, program

@@ -38,11 +38,11 @@ install_for_windows() { # name, folder of sources, flags of cmake
 # seen, as it is this system's.
 link_headers_for_windows() {
   local name
-  for name in include/{CLI,eigen3,fast_float,nlohmann}; do
+  for name in include/{eigen3,fast_float,nlohmann}; do
     mkdir -p "$windows_root/include"
     ln -sfn "/usr/$name" "$windows_root/$name"
   done
-  for name in share/cmake/{CLI11,nlohmann_json} lib/cmake/FastFloat share/eigen3/cmake; do
+  for name in share/cmake/nlohmann_json lib/cmake/FastFloat share/eigen3/cmake; do
     mkdir -p "$windows_root/$name"
     cp "/usr/$name"/*.cmake "$windows_root/$name"
   done

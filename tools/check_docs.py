@@ -68,8 +68,8 @@ def installed_packages(script):
 
 def wanted_versions():
     """Package -> the version that CMake asks for at least."""
-    packages = {"CLI11": "libcli11-dev", "Eigen3": "libeigen3-dev", "nlohmann_json": "nlohmann-json3-dev",
-                "pybind11": "pybind11-dev", "Python3": "python3-dev"}
+    packages = {"Eigen3": "libeigen3-dev", "nlohmann_json": "nlohmann-json3-dev", "pybind11": "pybind11-dev",
+                "Python3": "python3-dev"}
     wanted = {}
     for path in (REPO / name for name in ("CMakeLists.txt", "apps/planish/CMakeLists.txt",
                                           "bindings/python/CMakeLists.txt")):

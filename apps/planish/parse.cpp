@@ -1,10 +1,8 @@
 #include "parse.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <utility>
-
-#include <CLI/CLI.hpp>
 
 #include "commands/commands.h"
 #include "flags/synonyms.h"
@@ -13,91 +11,88 @@
 #include "shell/nearest.h"
 #include "shell/values.h"
 
-// CLI11 takes the words apart; what is missing or unknown is told in our own words, and the help is
-// written from the same tables (help.cpp).
-
 namespace planish::cli {
 
 namespace {
 
-std::string cli11_name(const Flag& flag) {
-  return flag.letter == 0 ? flag.name : std::string("-") + flag.letter + "," + flag.name;
+/// The flag that a word names by its name, an alias or its letter; nullptr where there is none.
+const Flag* flag_called(const std::string& word, const Command* command) {
+  const auto in = [&](const FlagGroup& group) -> const Flag* {
+    const auto found = std::find_if(group.flags.begin(), group.flags.end(), [&](const Flag& flag) {
+      return flag.name == without_alias(word) ||
+             (flag.letter != 0 && word == std::string("-") + flag.letter);
+    });
+    return found == group.flags.end() ? nullptr : &*found;
+  };
+  const Flag* found = in(global_flags());
+  for (std::size_t i = 0; found == nullptr && command != nullptr && i < command->groups.size(); ++i)
+    found = in(command->groups[i]);
+  return found;
 }
 
-/// With all names that mean the same.
-std::string cli11_names(const Flag& flag) {
-  std::string names = cli11_name(flag);
-  for (const std::string& alias : aliases_of(flag.name))
-    names += "," + alias;
-  return names;
-}
-
-/// Options by their full names. CLI11 could be asked for them, but ends the program where memory
-/// ends while it looks.
-using Options = std::map<std::string, CLI::Option*>;
-
-void add_flag(CLI::App& app, const Flag& flag, Options& options) {
-  // Several methods may have an option of one name.
-  if (options.find(flag.name) != options.end()) return;
-  CLI::Option*& option = options[flag.name];
-  if (flag.value.empty()) {
-    option = app.add_flag(cli11_names(flag))->disable_flag_override();
-  } else if (flag.accepts.optional) {
-    option = app.add_flag(cli11_names(flag));
-  } else if (flag.accepts.repeats) {
-    option = app.add_option(cli11_names(flag))
-                 ->expected(1)
-                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  } else {
-    option = app.add_option(cli11_names(flag))
-                 ->expected(1)
-                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+/// Of several values the last one counts, but for flags that repeat.
+void take_value(const Flag& flag, const std::optional<std::string>& value, Parsed& parsed) {
+  std::vector<Field>& fields = parsed.arguments.flags[flag.name];
+  if (!flag.accepts.repeats) {
+    if (value && !fields.empty() && fields.back() != Field(*value)) {
+      parsed.notes.push_back(flag.name + " is given as " + field_text(fields.back()) + " and as " +
+                             *value + "; the last one counts");
+    }
+    fields.clear();
   }
+  if (value) fields.emplace_back(*value);
 }
 
-Options add_flags(CLI::App& app, const std::vector<FlagGroup>& groups) {
-  app.set_help_flag();
-  app.allow_extras();
-  Options options;
-  for (const Flag& flag : global_flags().flags)
-    add_flag(app, flag, options);
-  for (const FlagGroup& group : groups) {
-    for (const Flag& flag : group.flags)
-      add_flag(app, flag, options);
+/// Takes a word that is no flag for the verb or an operand; false where there is no place for it.
+bool take_operand(const std::string& word, Parsed& parsed) {
+  if (parsed.command == nullptr) {
+    const auto found = std::find_if(commands().begin(), commands().end(),
+                                    [&](const Command& command) { return command.name == word; });
+    if (found != commands().end()) parsed.command = &*found;
+    return parsed.command != nullptr;
   }
-  return options;
+  std::vector<std::string>& operands = parsed.arguments.operands;
+  if (operands.size() >= parsed.command->operands.size() && !parsed.command->operands_repeat)
+    return false;
+  operands.push_back(word);
+  return true;
 }
 
-/// The value as it was typed; empty where none was.
-std::string value_of(const Flag& flag, const CLI::Option& option) {
-  const auto& given = option.results();
-  if (flag.value.empty()) return {};
-  if (flag.accepts.optional && given.back() == "true") return {};  // as CLI11 has it of a switch
-  if (!flag.accepts.repeats) return given.back();
-  std::string all;
-  for (const std::string& value : given)
-    all += (all.empty() ? "" : ",") + value;
-  return all;
+bool is_flag(const std::string& word) {
+  return word.size() > 1 && word.front() == '-';
 }
 
-/// Of several values the last one counts.
-void note_other_values(const Flag& flag, const CLI::Option& option, Parsed& parsed) {
-  if (flag.value.empty() || flag.accepts.repeats) return;
-  const auto& given = option.results();
-  const auto other = std::find_if(given.begin(), given.end(),
-                                  [&](const std::string& value) { return value != given.back(); });
-  if (other == given.end()) return;
-  parsed.notes.push_back(flag.name + " is given as " + *other + " and as " + given.back() +
-                         "; the last one counts");
-}
-
-void read_flags(const Options& options, const FlagGroup& group, Parsed& parsed) {
-  for (const Flag& flag : group.flags) {
-    const CLI::Option* option = options.at(flag.name);
-    if (option->count() == 0) continue;
-    parsed.arguments.flags[flag.name] = value_of(flag, *option);
-    note_other_values(flag, *option, parsed);
+/// Takes words apart, in their order.
+/// @return those that have no place
+std::vector<std::string> take_words(std::span<const std::string> words, Parsed& parsed) {
+  std::vector<std::string> rest(words.rbegin(), words.rend()), leftovers;
+  const auto next = [&] {
+    std::string word = std::move(rest.back());
+    rest.pop_back();
+    return word;
+  };
+  while (!rest.empty()) {
+    const std::string word = next();
+    const bool is_long = word.starts_with("--");
+    const std::string name = word.substr(0, is_long ? word.find('=') : 2);
+    const Flag* const flag = is_flag(word) ? flag_called(name, parsed.command) : nullptr;
+    if (flag == nullptr) {
+      if (is_flag(word) || !take_operand(word, parsed)) leftovers.push_back(word);
+      continue;
+    }
+    std::optional<std::string> value;
+    if (name.size() < word.size() && (is_long || needs_value(*flag))) {
+      value = word.substr(name.size() + (is_long ? 1 : 0));
+    } else if (name.size() < word.size()) {
+      rest.push_back("-" + word.substr(name.size()));  // more letters
+    } else if (needs_value(*flag)) {
+      if (rest.empty()) throw UsageError("flag " + name + " needs a value");
+      value = next();  // whatever it begins with
+    }
+    if (value && flag->value.empty()) throw UsageError("flag " + name + " takes no value");
+    take_value(*flag, value, parsed);
   }
+  return leftovers;
 }
 
 std::vector<std::string> flag_names(const Command* command) {
@@ -164,57 +159,11 @@ std::string reason_of_absence(const std::string& flag, const Command* command) {
                    (taken.empty() ? " none" : taken + " only"));
 }
 
-/// CLI11 throws for two faults only: a flag at the end that lacks its value, and a value for a
-/// flag that takes none.
-[[noreturn]] void refuse_value(std::span<const std::string> args) {
-  for (const std::string& word : args) {
-    const std::string name = word.substr(0, word.find('='));
-    const bool valueless =
-        std::any_of(global_flags().flags.begin(), global_flags().flags.end(),
-                    [&](const Flag& flag) { return flag.name == name && flag.value.empty(); });
-    if (valueless && name != word) throw UsageError("flag " + name + " takes no value");
-  }
-  const std::string& last = args.back();
-  throw UsageError("flag " + last.substr(0, last.find('=')) + " needs a value");
-}
-
-bool is_flag(const std::string& word) {
-  return word.size() > 1 && word.front() == '-';
-}
-
-/// Takes the words behind "--" for operands, whatever they begin with.
-void take_operands(std::span<const std::string> words, const Command* command,
-                   Arguments& arguments) {
-  if (words.empty()) return;
-  if (command == nullptr) refuse_verb(words.front());
-  arguments.operands.insert(arguments.operands.end(), words.begin(), words.end());
-  const std::size_t most = command->operands.size();
-  if (!command->operands_repeat && arguments.operands.size() > most)
-    refuse_argument(arguments.operands[most], *command);
-}
-
 void refuse_leftovers(const std::vector<std::string>& words, const Command* command) {
   for (const std::string& word : words) {
     if (is_flag(word)) refuse_flag(word, command);
     if (command == nullptr) refuse_verb(word);
     refuse_argument(word, *command);
-  }
-}
-
-/// Takes what is no flag for more operands, in the order of the command line.
-std::vector<std::string> with_operands_taken(std::vector<std::string> words, Arguments& arguments) {
-  const auto operands = std::stable_partition(words.begin(), words.end(), is_flag);
-  arguments.operands.insert(arguments.operands.end(), operands, words.end());
-  words.erase(operands, words.end());
-  return words;
-}
-
-/// An empty word, as a shell makes it of an empty variable, names no file and is no number.
-void refuse_empty_values(const FlagGroup& group, const Arguments& arguments) {
-  for (const Flag& flag : group.flags) {
-    if (!needs_value(flag) || type_of(flag) == ValueType::text) continue;
-    if (arguments.has(flag.name) && arguments.flags.at(flag.name).empty())
-      throw UsageError("flag " + flag.name + " needs a value, and the one given is empty");
   }
 }
 
@@ -245,14 +194,16 @@ void check_complete(const Command& command, const Arguments& arguments) {
   }
 }
 
-/// A verb as CLI11 takes it apart.
-struct Verb {
-  const Command* command = nullptr;
-  Options options;
-  std::vector<CLI::Option*> operands;
-};
-
 }  // namespace
+
+void refuse_empty_values(const Command& command, const Arguments& arguments) {
+  for (const auto& [name, value] : arguments.flags) {
+    const Flag* const flag = find_flag(command, name);
+    if (flag == nullptr || !needs_value(*flag) || type_of(*flag) == ValueType::text) continue;
+    if (arguments.text(name).empty())
+      throw UsageError("flag " + name + " needs a value, and the one given is empty");
+  }
+}
 
 bool asks_for(std::span<const std::string> args, std::string_view flag) {
   const auto end = std::find(args.begin(), args.end(), "--");
@@ -260,56 +211,22 @@ bool asks_for(std::span<const std::string> args, std::string_view flag) {
 }
 
 Parsed parse(std::span<const std::string> args) {
-  // Words behind "--" are operands; CLI11 would lose which of its leftovers were.
+  // Words behind "--" are operands, whatever they begin with.
   const auto mark = std::find(args.begin(), args.end(), "--");
   const auto before = args.first(static_cast<std::size_t>(mark - args.begin()));
   const auto behind = args.subspan(std::min(before.size() + 1, args.size()));
-  CLI::App app;
-  const Options global = add_flags(app, {});
-  app.allow_windows_style_options(false);  // a word like /a.obj is a path; verbs inherit it
-  app.require_subcommand(0, 1);
-  std::map<const CLI::App*, Verb> verbs;
-  for (const Command& command : commands()) {
-    CLI::App& app_of_verb = *app.add_subcommand(command.name);
-    Verb& verb = verbs[&app_of_verb];
-    verb.command = &command;
-    verb.options = add_flags(app_of_verb, command.groups);
-    for (const std::string& operand : command.operands)
-      verb.operands.push_back(app_of_verb.add_option(operand)->expected(1));
-  }
-  try {
-    // CLI11 wants them reversed.
-    app.parse(std::vector<std::string>(before.rbegin(), before.rend()));
-  } catch (const CLI::ParseError&) {
-    refuse_value(before);
-  }
-
   Parsed parsed;
-  read_flags(global, global_flags(), parsed);
-  const auto given_verbs = app.get_subcommands();
-  if (!given_verbs.empty()) {
-    const Verb& verb = verbs.at(given_verbs.front());
-    parsed.command = verb.command;
-    read_flags(verb.options, global_flags(), parsed);
-    for (const FlagGroup& group : parsed.command->groups)
-      read_flags(verb.options, group, parsed);
-    for (const CLI::Option* operand : verb.operands) {
-      const auto given = operand->results();
-      parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());
-    }
-  }
+  const std::vector<std::string> leftovers = take_words(before, parsed);
   for (const char* flag : {"--help", "--help-all", "--version"}) {
     if (parsed.arguments.has(flag)) return parsed;
   }
-  std::vector<std::string> leftovers = app.remaining(true);
-  if (parsed.command != nullptr && parsed.command->operands_repeat)
-    leftovers = with_operands_taken(std::move(leftovers), parsed.arguments);
   refuse_leftovers(leftovers, parsed.command);
-  take_operands(behind, parsed.command, parsed.arguments);
-  refuse_empty_values(global_flags(), parsed.arguments);
+  for (const std::string& word : behind) {
+    if (parsed.command == nullptr) refuse_verb(word);
+    if (!take_operand(word, parsed)) refuse_argument(word, *parsed.command);
+  }
   if (parsed.command == nullptr) return parsed;
-  for (const FlagGroup& group : parsed.command->groups)
-    refuse_empty_values(group, parsed.arguments);
+  refuse_empty_values(*parsed.command, parsed.arguments);
   refuse_empty_operands(*parsed.command, parsed.arguments);
   check_complete(*parsed.command, parsed.arguments);
   return parsed;

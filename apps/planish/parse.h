@@ -20,6 +20,10 @@ struct Parsed {
 ///   value and for a wrong number of operands
 Parsed parse(std::span<const std::string> args);
 
+/// Refuses empty texts, as a shell makes them of empty variables: they name no file and no number.
+/// @throws UsageError
+void refuse_empty_values(const Command& command, const Arguments& arguments);
+
 /// True where the command line asks for the flag, whatever else is wrong with it.
 bool asks_for(std::span<const std::string> args, std::string_view flag);
 

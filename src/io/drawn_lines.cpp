@@ -13,22 +13,6 @@
 
 namespace planish {
 
-Index vertex_named(std::string_view word, std::size_t vertex_count, const TextCursor& cursor) {
-  std::uint64_t number = 0;
-  const char* const last = word.data() + word.size();
-  const auto parsed = std::from_chars(word.data(), last, number);
-  if (parsed.ptr != last || parsed.ec == std::errc::invalid_argument) {
-    cursor.fail(ErrorCode::bad_number,
-                in_quotes(word) + " is not the number of a vertex, counted from 0");
-  }
-  if (parsed.ec != std::errc() || number >= vertex_count) {
-    cursor.fail(ErrorCode::index_out_of_range,
-                "there is no vertex " + std::string(word.substr(0, 20)) + ": the mesh has " +
-                    std::to_string(vertex_count) + " vertices, counted from 0");
-  }
-  return static_cast<Index>(number);
-}
-
 LineDrawing parse_line_drawing(TextCursor& cursor) {
   LineDrawing drawing;
   ObjReferences references;

@@ -11,10 +11,6 @@
 
 namespace planish {
 
-/// The vertex of a mesh that a word names, counted from 0.
-/// @throws Error bad_number, index_out_of_range
-Index vertex_named(std::string_view word, std::size_t vertex_count, const TextCursor& cursor);
-
 /// The lines and points that an OBJ file draws.
 struct LineDrawing {
   struct Line {

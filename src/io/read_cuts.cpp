@@ -13,6 +13,7 @@
 #include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
 #include "io/read_drawing.h"
+#include "io/row_cursor.h"
 #include "mesh/mean_edge.h"
 #include "mesh/search/closest_point.h"
 #include "mesh/search/nearest_vertex.h"
@@ -51,26 +52,8 @@ CutLines snap_cuts(const LineDrawing& drawing, const TriMesh& mesh, const TextCu
   return cuts;
 }
 
-CutLines listed_cuts(std::string_view bytes, const std::string& name, std::size_t vertex_count) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  CutLines cuts;
-  while (cursor.skip_to_token()) {
-    CutPath& path = cuts.paths.emplace_back(CutPath{{}, {.path = name, .line = cursor.line()}});
-    while (!cursor.at_line_end()) {
-      std::string_view words = cursor.token();
-      while (!words.empty()) {
-        const std::size_t comma = std::min(words.find(','), words.size());
-        if (comma > 0) {
-          path.vertices.push_back(vertex_named(words.substr(0, comma), vertex_count, cursor));
-        }
-        words.remove_prefix(std::min(comma + 1, words.size()));
-      }
-    }
-  }
-  if (cuts.paths.empty()) {
-    cursor.fail_at_line(1, ErrorCode::malformed_file, "the file names no cut");
-  }
-  return cuts;
+void check_triangles(const TriMesh& mesh) {
+  if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
 }
 
 /// From vertex to vertex, along an edge or the shortest way over the surface.
@@ -101,37 +84,29 @@ SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t nu
   return line;
 }
 
-CutLinesOnPatch listed_lines(std::string_view bytes, const Patch& patch, const std::string& name) {
-  const CutLines listed = listed_cuts(bytes, name, patch.vertex_count());
-  CutLinesOnPatch cuts;
-  for (std::size_t k = 0; k < listed.paths.size(); ++k) {
-    cuts.lines.push_back(line_through(patch, listed.paths[k], k));
-    cuts.places.push_back(listed.paths[k].place);
-  }
-  return cuts;
-}
-
 CutLinesOnPatch drawn_lines(std::string_view bytes, const Patch& patch, const std::string& name,
-                            double smoothing) {
+                            bool smooth) {
   const DrawnLines drawing = parse_obj_lines(bytes, name);
   if (drawing.lines.empty()) {
     throw Error(ErrorCode::malformed_file, "the file has no line (l), and points (p) cut nothing",
                 {.path = name, .line = 1});
   }
   const ClosestPointTree nearest(patch.mesh());
-  const double most = k_most_edges_off * mean_edge_length(patch.mesh());
+  constexpr double k_smoothing = 0.5;  // of a mean edge
+  const double edge = mean_edge_length(patch.mesh());
   CutLinesOnPatch cuts;
   for (const DrawnLine& line : chained_lines(drawing.lines)) {
     for (const Vec3 p : line.points) {
       const double apart = distance_of(p, nearest.query(p).point);
       cuts.farthest = std::max(cuts.farthest, apart);
-      if (apart <= most) continue;
+      if (apart <= k_most_edges_off * edge) continue;
       throw Error(ErrorCode::misplaced_cut,
                   "the line leaves the mesh at " + point_text(p) +
                       ": that is farther away than three edges; is the drawing in other units?",
                   line.place);
     }
-    TracedLines traced = trace_lines(patch, {{smoothed_line(line, smoothing)}, {}});
+    TracedLines traced =
+        trace_lines(patch, {{smooth ? smoothed_line(line, k_smoothing * edge) : line}, {}});
     cuts.outside_length += traced.outside_length;
     for (SurfaceLine& part : traced.lines) {
       cuts.lines.push_back(std::move(part));
@@ -153,25 +128,45 @@ CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
 }
 
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name) {
-  if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
-  if (lower_extension(path_of(name)) != ".obj")
-    return listed_cuts(bytes, name, mesh.positions.size());
+  check_triangles(mesh);
+  if (lower_extension(path_of(name)) != ".obj") return cuts_in(parse_rows(bytes, name), mesh);
   TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
   const LineDrawing drawing = parse_line_drawing(cursor);
   return snap_cuts(drawing, mesh, cursor, name);
 }
 
-CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch,
-                               double smoothing) {
+CutLines cuts_in(const Rows& rows, const TriMesh& mesh) {
+  check_triangles(mesh);
+  if (rows.rows.empty())
+    throw Error(ErrorCode::malformed_file, "the file names no cut", {.path = rows.name, .line = 1});
+  CutLines cuts;
+  for (const Row& row : rows.rows) {
+    RowCursor cursor(rows, row);
+    cuts.paths.push_back({cursor.vertices(mesh.positions.size()), cursor.place()});
+  }
+  return cuts;
+}
+
+CutLinesOnPatch cut_lines_in(const Rows& rows, const Patch& patch) {
+  const CutLines listed = cuts_in(rows, patch.mesh());
+  CutLinesOnPatch cuts;
+  for (std::size_t k = 0; k < listed.paths.size(); ++k) {
+    cuts.lines.push_back(line_through(patch, listed.paths[k], k));
+    cuts.places.push_back(listed.paths[k].place);
+  }
+  return cuts;
+}
+
+CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch, bool smooth) {
   const FileBytes file(path);
-  return parse_cut_lines(file.view(), patch, utf8_of(path), smoothing);
+  return parse_cut_lines(file.view(), patch, utf8_of(path), smooth);
 }
 
 CutLinesOnPatch parse_cut_lines(std::string_view bytes, const Patch& patch, const std::string& name,
-                                double smoothing) {
+                                bool smooth) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
-  if (lower_extension(path_of(name)) != ".obj") return listed_lines(bytes, patch, name);
-  return drawn_lines(bytes, patch, name, smoothing);
+  if (lower_extension(path_of(name)) != ".obj") return cut_lines_in(parse_rows(bytes, name), patch);
+  return drawn_lines(bytes, patch, name, smooth);
 }
 
 std::string format_cuts(std::span<const std::vector<Index>> paths) {

@@ -12,30 +12,13 @@
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
+#include "io/row_cursor.h"
 #include "mesh/cut/edge_paths.h"
 #include "mesh/search/nearest_vertex.h"
 #include "platform/path.h"
 
 namespace planish {
 namespace {
-
-/// The numbers of a list.
-std::vector<Index> parse_list(std::string_view bytes, std::string_view name,
-                              std::size_t vertex_count) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<Index> vertices;
-  while (cursor.skip_to_token()) {
-    std::string_view words = cursor.token();
-    while (!words.empty()) {
-      const std::size_t comma = std::min(words.find(','), words.size());
-      if (comma > 0) {
-        vertices.push_back(vertex_named(words.substr(0, comma), vertex_count, cursor));
-      }
-      words.remove_prefix(std::min(comma + 1, words.size()));
-    }
-  }
-  return vertices;
-}
 
 /// Marks the vertices between the corners of a line.
 void trace(const LineDrawing::Line& line, std::span<const Index> corners, EdgePaths& paths,
@@ -99,41 +82,44 @@ FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
     const LineDrawing drawing = parse_line_drawing(cursor);
     return snap(drawing, patch, cursor);
   }
-  std::vector<Index> vertices = parse_list(bytes, name, patch.vertex_count());
+  return {fixed_vertices_in(parse_rows(bytes, name), patch.vertex_count())};
+}
+
+std::vector<Index> fixed_vertices_in(const Rows& rows, std::size_t vertex_count) {
+  std::vector<Index> vertices;
+  for (const Row& row : rows.rows) {
+    const std::vector<Index> some = RowCursor(rows, row).vertices(vertex_count);
+    vertices.insert(vertices.end(), some.begin(), some.end());
+  }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return {std::move(vertices)};
+  return vertices;
 }
 
-std::vector<double> read_weights(const std::filesystem::path& path, const TriMesh& mesh) {
-  const FileBytes file(path);
-  return parse_weights(file.view(), mesh, utf8_of(path));
-}
-
-std::vector<double> parse_weights(std::string_view bytes, const TriMesh& mesh,
-                                  const std::string& name) {
-  const std::size_t count = mesh.positions.size();
-  std::vector<double> weights(count, 1.0);
-  std::vector<std::size_t> line_of(count, 0);  // 0: not yet named
-  TextCursor cursor(bytes, name, {.comments = true});
-  while (cursor.skip_to_token()) {
-    const Index v = vertex_named(cursor.token(), count, cursor);
-    if (line_of[v] != 0) {
-      cursor.fail(ErrorCode::malformed_file, "vertex " + std::to_string(v) +
-                                                 " has a weight already, from line " +
-                                                 std::to_string(line_of[v]));
+std::vector<double> weights_in(const Rows& rows, std::size_t vertex_count) {
+  std::vector<double> weights(vertex_count, 1.0);
+  std::vector<std::size_t> row_of(vertex_count, 0);  // 0: not yet named
+  for (const Row& row : rows.rows) {
+    RowCursor cursor(rows, row);
+    const Index v = cursor.vertex(cursor.next("the vertex"), vertex_count);
+    const std::string vertex = "vertex " + std::to_string(v);
+    if (row_of[v] != 0) {
+      cursor.fail(ErrorCode::malformed_file,
+                  vertex + " has a weight already, from line " + std::to_string(row_of[v]));
     }
-    line_of[v] = cursor.line();
-    weights[v] = cursor.number(ErrorCode::bad_number);
-    if (!(weights[v] > 0.0)) {
-      cursor.fail(ErrorCode::malformed_file, "the weight of vertex " + std::to_string(v) + " is " +
-                                                 number_text(weights[v]) + " but must be above 0");
+    row_of[v] = row.number;
+    const Field& field = cursor.next("the weight");
+    const auto weight = field_number(field);
+    if (!weight) {
+      cursor.fail(ErrorCode::bad_number,
+                  in_quotes(field_text(field)) + " is no weight such as 0.5");
     }
-    if (!cursor.at_line_end()) {
-      cursor.fail(
-          ErrorCode::malformed_file,
-          "a line has one vertex and its weight; more follows: " + in_quotes(cursor.token()));
+    if (!(*weight > 0.0)) {
+      cursor.fail(ErrorCode::malformed_file, "the weight of " + vertex + " is " +
+                                                 number_text(*weight) + " but must be above 0");
     }
+    weights[v] = *weight;
+    cursor.end();
   }
   return weights;
 }

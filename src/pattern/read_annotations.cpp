@@ -1,122 +1,82 @@
-#include <charconv>
-#include <cmath>
+#include <array>
 #include <optional>
 
 #include <planish/pattern/read_annotations.h>
 
-#include <fast_float/fast_float.h>
-
-#include "io/file/file_bytes.h"
-#include "io/file/text_cursor.h"
-#include "platform/path.h"
+#include "io/file/cursor_error.h"
+#include "io/row_cursor.h"
 
 namespace planish {
 
 namespace {
 
-std::string quoted(std::string_view word) {
-  return "\"" + std::string(word.substr(0, 20)) + "\"";
-}
-
-Index vertex_in(std::string_view word, const TextCursor& cursor) {
-  Index vertex = 0;
-  const char* const end = word.data() + word.size();
-  const auto parsed = std::from_chars(word.data(), end, vertex);
-  if (parsed.ec != std::errc() || parsed.ptr != end) {
-    cursor.fail(ErrorCode::bad_number,
-                quoted(word) + " is not the number of a vertex, counted from 0");
-  }
-  return vertex;
-}
-
-std::string_view next_word(TextCursor& cursor, const char* what) {
-  if (!cursor.at_line_end()) return cursor.token();
-  cursor.fail(ErrorCode::malformed_file, std::string(what) + " is missing");
-}
-
-/// The number before the end of a word; nothing where that is none.
-std::optional<double> number_before(std::string_view word, std::string_view ending) {
-  if (!word.ends_with(ending)) return std::nullopt;
-  const char* const end = word.data() + word.size() - ending.size();
-  double number = 0.0;
-  const auto parsed = fast_float::from_chars(word.data(), end, number);
-  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
 /// A share as 0.25 or 25%; nothing where it is none.
-std::optional<double> share_of(std::string_view word) {
-  if (const auto percent = number_before(word, "%")) return *percent / 100.0;
-  return number_before(word, "");
+std::optional<double> share_of(const Field& field) {
+  if (const auto percent = field_number(field, "%")) return *percent / 100.0;
+  return field_number(field);
 }
 
-double share_in(std::string_view word, const TextCursor& cursor) {
-  if (const auto share = share_of(word)) return *share;
-  cursor.fail(ErrorCode::bad_number, quoted(word) + " is not a share such as 0.25 or 25%");
-}
-
-NotchKind notch_kind_in(std::string_view word, const TextCursor& cursor) {
-  for (const NotchKind kind : {NotchKind::slit, NotchKind::v, NotchKind::t}) {
+/// The kind that the next field names, or the first one where none is left.
+template <std::size_t N, class Kind>
+Kind kind_in(RowCursor& cursor, const std::array<Kind, N>& kinds, const char* fault) {
+  if (cursor.at_end()) return kinds.front();
+  const std::string word = field_text(cursor.next(""));
+  for (const Kind kind : kinds) {
     if (word == to_string(kind)) return kind;
   }
-  cursor.fail(ErrorCode::unknown_name,
-              quoted(word) + " is no kind of notch: there are slit, v and t");
-}
-
-MarkKind mark_kind_in(std::string_view word, const TextCursor& cursor) {
-  for (const MarkKind kind : {MarkKind::cross, MarkKind::drill}) {
-    if (word == to_string(kind)) return kind;
-  }
-  cursor.fail(ErrorCode::unknown_name,
-              quoted(word) + " is no kind of mark: there are cross and drill");
-}
-
-void end_line(TextCursor& cursor) {
-  if (cursor.at_line_end()) return;
-  cursor.fail(ErrorCode::malformed_file, "more follows on the line: " + quoted(cursor.token()));
+  cursor.fail(ErrorCode::unknown_name, in_quotes(word) + fault);
 }
 
 /// What follows the place of a notch: its form.
 template <class SomeNotch>
-void read_notch_form(TextCursor& cursor, SomeNotch& form) {
-  if (!cursor.at_line_end()) form.kind = notch_kind_in(cursor.token(), cursor);
-  if (!cursor.at_line_end()) {
-    const std::string_view word = cursor.token();
-    if (word != "double") {
-      cursor.fail(ErrorCode::unknown_name, quoted(word) + " should be the word double");
-    }
+void read_notch_form(RowCursor& cursor, SomeNotch& form) {
+  form.kind = kind_in(cursor, std::array{NotchKind::slit, NotchKind::v, NotchKind::t},
+                      " is no kind of notch: there are slit, v and t");
+  if (!cursor.at_end()) {
+    const std::string word = field_text(cursor.next(""));
+    if (word != "double")
+      cursor.fail(ErrorCode::unknown_name, in_quotes(word) + " should be the word double");
     form.is_double = true;
   }
-  end_line(cursor);
+  cursor.end();
 }
 
-Notch notch_in(TextCursor& cursor) {
-  const std::string_view place = cursor.token();
-  Notch notch = place.find_first_of(".%") == std::string_view::npos
-                    ? Notch::at_vertex(vertex_in(place, cursor))
-                    : Notch::at_fraction(share_in(place, cursor));
+/// A share of the border where there is a point or a %, or a number that is not whole by its kind.
+bool is_share(const Field& place) {
+  const auto* const word = std::get_if<std::string>(&place);
+  return word == nullptr ? std::holds_alternative<double>(place)
+                         : word->find_first_of(".%") != std::string::npos;
+}
+
+Notch notch_in(RowCursor& cursor) {
+  const Field& place = cursor.next("the place");
+  const auto share = is_share(place) ? share_of(place) : std::nullopt;
+  if (is_share(place) && !share) {
+    cursor.fail(ErrorCode::bad_number,
+                in_quotes(field_text(place)) + " is not a share such as 0.25 or 25%");
+  }
+  Notch notch = share ? Notch::at_fraction(*share) : Notch::at_vertex(cursor.vertex(place));
   read_notch_form(cursor, notch);
   return notch;
 }
 
-std::optional<std::size_t> seam_in(std::string_view word, const TextCursor& cursor) {
-  if (word == "*") return std::nullopt;
-  std::size_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto parsed = std::from_chars(word.data(), end, number);
-  if (parsed.ec == std::errc() && parsed.ptr == end && number > 0) return number - 1;
+std::optional<std::size_t> seam_in(RowCursor& cursor) {
+  const Field& field = cursor.next("the seam");
+  if (field == Field("*")) return std::nullopt;
+  if (const auto number = field_count(field); number && *number > 0) return *number - 1;
   cursor.fail(ErrorCode::bad_number,
-              quoted(word) + " is not the number of a seam, counted from 1, or *");
+              in_quotes(field_text(field)) + " is not the number of a seam, counted from 1, or *");
 }
 
-SeamNotch seam_notch_in(TextCursor& cursor) {
+SeamNotch seam_notch_in(RowCursor& cursor) {
   SeamNotch notch;
-  notch.seam = seam_in(cursor.token(), cursor);
-  const std::string_view place = next_word(cursor, "the place, such as 50% or 120mm,");
-  const auto length = number_before(place, "mm");
+  notch.seam = seam_in(cursor);
+  const Field& place = cursor.next("the place, such as 50% or 120mm,");
+  const auto length = field_number(place, "mm");
   const auto share = share_of(place);
   if (!length && !share) {
-    cursor.fail(ErrorCode::bad_number, quoted(place) + " is no place such as 0.5, 50% or 120mm");
+    cursor.fail(ErrorCode::bad_number,
+                in_quotes(field_text(place)) + " is no place such as 0.5, 50% or 120mm");
   }
   notch.in_millimetres = length.has_value();
   notch.place = length ? *length : *share;
@@ -124,95 +84,70 @@ SeamNotch seam_notch_in(TextCursor& cursor) {
   return notch;
 }
 
-EdgeAllowance edge_allowance_in(TextCursor& cursor) {
+EdgeAllowance edge_allowance_in(RowCursor& cursor) {
   EdgeAllowance edge;
-  edge.from = vertex_in(cursor.token(), cursor);
-  edge.to = vertex_in(next_word(cursor, "the vertex where the stretch ends"), cursor);
-  const std::string_view word = next_word(cursor, "the width");
-  const auto with_unit = number_before(word, "mm");
-  const auto width = with_unit ? with_unit : number_before(word, "");
-  if (!width) cursor.fail(ErrorCode::bad_number, quoted(word) + " is no width such as 12.5mm");
-  if (*width < 0.0) {
-    cursor.fail(ErrorCode::option_out_of_range, "the width " + quoted(word) + " is below 0");
-  }
+  edge.from = cursor.vertex(cursor.next("the vertex where the stretch begins"));
+  edge.to = cursor.vertex(cursor.next("the vertex where the stretch ends"));
+  const Field& field = cursor.next("the width");
+  const std::string word = in_quotes(field_text(field));
+  const auto with_unit = field_number(field, "mm");
+  const auto width = with_unit ? with_unit : field_number(field);
+  if (!width) cursor.fail(ErrorCode::bad_number, word + " is no width such as 12.5mm");
+  if (*width < 0.0)
+    cursor.fail(ErrorCode::option_out_of_range, "the width " + word + " is below 0");
   edge.width = *width;
-  end_line(cursor);
+  cursor.end();
   return edge;
 }
 
-Mark mark_in(TextCursor& cursor) {
+Mark mark_in(RowCursor& cursor) {
   Mark mark;
-  mark.vertex = vertex_in(cursor.token(), cursor);
-  if (!cursor.at_line_end()) mark.kind = mark_kind_in(cursor.token(), cursor);
-  end_line(cursor);
+  mark.vertex = cursor.vertex(cursor.next("the vertex"));
+  mark.kind = kind_in(cursor, std::array{MarkKind::cross, MarkKind::drill},
+                      " is no kind of mark: there are cross and drill");
+  cursor.end();
   return mark;
 }
 
-InnerLine inner_line_in(TextCursor& cursor) {
-  InnerLine line = {vertex_in(cursor.token(), cursor)};
-  line.push_back(vertex_in(next_word(cursor, "a second vertex"), cursor));
-  while (!cursor.at_line_end())
-    line.push_back(vertex_in(cursor.token(), cursor));
+InnerLine inner_line_in(RowCursor& cursor) {
+  InnerLine line = {cursor.vertex(cursor.next("the vertex"))};
+  do {
+    line.push_back(cursor.vertex(cursor.next("a second vertex")));
+  } while (!cursor.at_end());
   return line;
 }
 
-/// What each line that is not empty says.
+/// What each row says.
 template <class Item>
-std::vector<Item> items_in(std::string_view bytes, const std::string& name,
-                           Item (*item_in)(TextCursor&)) {
-  TextCursor cursor(bytes, name, {.comments = true});
+std::vector<Item> items_in(const Rows& rows, Item (*item_in)(RowCursor&)) {
   std::vector<Item> items;
-  while (cursor.skip_to_token())
+  for (const Row& row : rows.rows) {
+    RowCursor cursor(rows, row);
     items.push_back(item_in(cursor));
+  }
   return items;
-}
-
-template <class Item>
-std::vector<Item> items_of(const std::filesystem::path& path, Item (*item_in)(TextCursor&)) {
-  const FileBytes file(path);
-  return items_in(file.view(), utf8_of(path), item_in);
 }
 
 }  // namespace
 
-std::vector<Notch> parse_notches(std::string_view bytes, const std::string& name) {
-  return items_in(bytes, name, notch_in);
+std::vector<Notch> notches_in(const Rows& rows) {
+  return items_in(rows, notch_in);
 }
 
-std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name) {
-  return items_in(bytes, name, mark_in);
+std::vector<Mark> marks_in(const Rows& rows) {
+  return items_in(rows, mark_in);
 }
 
-std::vector<InnerLine> parse_inner_lines(std::string_view bytes, const std::string& name) {
-  return items_in(bytes, name, inner_line_in);
+std::vector<InnerLine> inner_lines_in(const Rows& rows) {
+  return items_in(rows, inner_line_in);
 }
 
-std::vector<EdgeAllowance> parse_edge_allowances(std::string_view bytes, const std::string& name) {
-  return items_in(bytes, name, edge_allowance_in);
+std::vector<EdgeAllowance> edge_allowances_in(const Rows& rows) {
+  return items_in(rows, edge_allowance_in);
 }
 
-std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name) {
-  return items_in(bytes, name, seam_notch_in);
-}
-
-std::vector<Notch> read_notches(const std::filesystem::path& path) {
-  return items_of(path, notch_in);
-}
-
-std::vector<Mark> read_marks(const std::filesystem::path& path) {
-  return items_of(path, mark_in);
-}
-
-std::vector<InnerLine> read_inner_lines(const std::filesystem::path& path) {
-  return items_of(path, inner_line_in);
-}
-
-std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& path) {
-  return items_of(path, edge_allowance_in);
-}
-
-std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path) {
-  return items_of(path, seam_notch_in);
+std::vector<SeamNotch> seam_notches_in(const Rows& rows) {
+  return items_in(rows, seam_notch_in);
 }
 
 }  // namespace planish

@@ -14,22 +14,22 @@ std::string line_of(const Arguments& arguments) {
 }
 
 TEST(CommandLine, AsksForTheSame) {
-  EXPECT_EQ(line_of({{"a.obj"}, {{"--max-strain", "2%"}, {"--remesh", ""}}}),
+  EXPECT_EQ(line_of({{"a.obj"}, {{"--max-strain", {"2%"}}, {"--remesh", {}}}}),
             "planish flatten a.obj --max-strain 2% --remesh");
 }
 
 TEST(CommandLine, PutsAValueThatMayBeLeftOutBehindAnEqualsSign) {
-  EXPECT_EQ(line_of({{"a.obj"}, {{"--weld", "0.1mm"}}}), "planish flatten a.obj --weld=0.1mm");
-  EXPECT_EQ(line_of({{"a.obj"}, {{"--weld", ""}}}), "planish flatten a.obj --weld");
+  EXPECT_EQ(line_of({{"a.obj"}, {{"--weld", {"0.1mm"}}}}), "planish flatten a.obj --weld=0.1mm");
+  EXPECT_EQ(line_of({{"a.obj"}, {{"--weld", {}}}}), "planish flatten a.obj --weld");
 }
 
 TEST(CommandLine, LeavesOutWhatChangesNothing) {
-  EXPECT_EQ(line_of({{"a.obj"}, {{"--json", ""}, {"--quiet", ""}, {"--threads", "3"}}}),
+  EXPECT_EQ(line_of({{"a.obj"}, {{"--json", {}}, {"--quiet", {}}, {"--threads", {"3"}}}}),
             "planish flatten a.obj");
 }
 
 TEST(CommandLine, QuotesAsAllShellsDo) {
-  EXPECT_EQ(line_of({{"my mesh.obj"}, {{"--output", "C:\\it's here"}}}),
+  EXPECT_EQ(line_of({{"my mesh.obj"}, {{"--output", {"C:\\it's here"}}}}),
             "planish flatten \"my mesh.obj\" --output \"C:\\it's here\"");
   EXPECT_EQ(shell_word("out \\"), "'out \\'") << "in double quotes it would quote the second one";
   EXPECT_EQ(shell_word("50% more"), "'50% more'") << "cmd replaces names between such signs";
@@ -37,7 +37,7 @@ TEST(CommandLine, QuotesAsAllShellsDo) {
 }
 
 TEST(CommandLine, QuotesWhatHasAMeaningInDoubleQuotes) {
-  EXPECT_EQ(line_of({{"it's $here.obj"}, {{"--output", "$(x)"}}}),
+  EXPECT_EQ(line_of({{"it's $here.obj"}, {{"--output", {"$(x)"}}}}),
             "planish flatten 'it'\\''s $here.obj' --output '$(x)'");
 }
 

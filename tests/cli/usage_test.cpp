@@ -58,7 +58,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"--sweeps", "3"}, "flag --sweeps belongs to flatten, evolve or compare"},
         Mistake{{"evolve", "a.obj", "-o"}, "flag -o needs a value"},
         Mistake{{"measure", "a.obj", "--threads"}, "flag --threads needs a value"},
-        Mistake{{"measure", "a.obj", "--quiet=yes"}, "flag --quiet takes no value"}));
+        Mistake{{"measure", "a.obj", "--quiet=yes"}, "flag --quiet takes no value"},
+        Mistake{{"evolve", "a.obj", "--remesh=1"}, "flag --remesh takes no value"},
+        Mistake{{"evolve", "a.obj", "-qx", "-o", "b.obj"}, "unknown flag -x"},
+        Mistake{{"evolve", "a.obj", "-qo"}, "flag -o needs a value"},
+        Mistake{{"evolve", "a.obj", "-ob.obj", "--sweeps=-1"}, "--sweeps is -1"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--method="}, "flag --method needs a value"},
+        Mistake{{"measure", "---x"}, "unknown flag ---x"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Operands, Mistakes,

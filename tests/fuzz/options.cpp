@@ -54,7 +54,7 @@ Arguments arguments_in(fuzz::Bytes& bytes) {
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     const std::size_t blank = line.find(' ');
     const std::string value(blank == line.npos ? std::string_view() : line.substr(blank + 1));
-    arguments.flags[std::string(line.substr(0, blank))] = value;
+    arguments.flags[std::string(line.substr(0, blank))] = {value};
   }
   return arguments;
 }
@@ -65,7 +65,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
   const Arguments arguments = arguments_in(bytes);
   for (const auto& [flag, value] : arguments.flags)
-    check_value(value, arguments);
+    check_value(arguments.text(flag), arguments);
   allow_usage_error([&] { unit_from(arguments); });
   allow_usage_error([&] {
     const Method method = method_from(arguments, Auto{});

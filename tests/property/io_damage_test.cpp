@@ -122,7 +122,7 @@ PLANISH_PROPERTY(IoDamage, FeaturesOfAnyKindAreReadOrRefused, 1'000) {
     });
   }
   check([&] {
-    for (const double weight : parse_weights(bytes, fan(), "weights"))
+    for (const double weight : weights_in(parse_rows(bytes, "weights"), fan().positions.size()))
       RC_ASSERT(weight > 0.0 && std::isfinite(weight));
   });
 }

@@ -27,7 +27,7 @@ constexpr std::size_t k_name_width = 26;
 /// @throws UsageError for what looks like a file, Error file_unwritable
 std::optional<fs::path> folder_from(const Arguments& arguments) {
   if (!arguments.has("--output")) return std::nullopt;
-  const std::string& folder = arguments.flags.at("--output");
+  const std::string folder = arguments.text("--output");
   if (!is_folder(folder) && !extension_of(folder).empty()) {
     throw UsageError("with several files or --csv, --output is a folder, and " + folder +
                      " looks like a file");
@@ -40,7 +40,7 @@ class SeveralRun {
  public:
   SeveralRun(const SeveralFiles& job, const Arguments& arguments, Session& session)
       : job_(job),
-        csv_(arguments.value_or("--csv", "")),
+        csv_(arguments.text("--csv")),
         folder_(job.extension ? folder_from(arguments) : std::nullopt),
         files_(files_named(arguments.operands, session)),
         session_(session) {
@@ -151,7 +151,7 @@ Flag output_format_flag(std::vector<std::string> names, const std::string& stand
 std::optional<std::string> output_format_from(const Arguments& arguments,
                                               const std::vector<std::string>& names) {
   if (!arguments.has("--output-format")) return std::nullopt;
-  const std::string name = known_name("format", arguments.flags.at("--output-format"), names);
+  const std::string name = known_name("format", arguments.text("--output-format"), names);
   if (!takes_several(arguments) || !arguments.has("--output"))
     throw UsageError("flag --output-format goes with several files and --output");
   return name;

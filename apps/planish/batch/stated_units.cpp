@@ -43,7 +43,7 @@ std::vector<InputFile> input_files(const Command& command, const Arguments& argu
   std::vector<std::string> paths = arguments.operands;
   if (command.name == "convert") paths.resize(1);  // the other one is written
   for (const char* flag : {"--from", "--to"}) {    // of carry, whose operand is no mesh
-    if (arguments.has(flag)) paths.push_back(arguments.flags.at(flag));
+    if (arguments.has(flag)) paths.push_back(arguments.text(flag));
   }
   std::vector<InputFile> files;
   const auto add = [&](const fs::path& path) {

@@ -56,7 +56,7 @@ Patch patch_of(const std::string& path, const Arguments& arguments, Session& ses
 }
 
 CarryPair pair_from(const Arguments& arguments, Session& session) {
-  const std::string &from = arguments.flags.at("--from"), &to = arguments.flags.at("--to");
+  const std::string from = arguments.text("--from"), to = arguments.text("--to");
   CarryPair pair{from, to, patch_of(from, arguments, session), patch_of(to, arguments, session)};
   about(to, [&] { check_same_triangles(pair.from.mesh(), pair.to.mesh()); });
   const auto check_flat = [](const std::string& drawing, const std::string& path,
@@ -68,7 +68,7 @@ CarryPair pair_from(const Arguments& arguments, Session& session) {
                 {.path = drawing});
   };
   check_flat(arguments.operands.front(), from, pair.from, "--from");
-  check_flat(arguments.flags.at("--output"), to, pair.to, "--to");
+  check_flat(arguments.text("--output"), to, pair.to, "--to");
   return pair;
 }
 
@@ -168,7 +168,7 @@ void note_left_out(Session& session, const std::string& path, const CarryFigures
 
 CommandResult run_carry(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
-  const std::string& output = arguments.flags.at("--output");
+  const std::string output = arguments.text("--output");
   check_extension(path, "the file of lines");
   check_extension(output, "what is written");
   const Unit unit = unit_from(arguments);

@@ -127,7 +127,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   const bool writes = arguments.has("--output");
   if (arguments.has("--open") && !writes)
     throw UsageError("flag --open opens a page that is written: say where, with --output FOLDER");
-  const fs::path folder = output_folder(arguments.value_or("--output", ""));
+  const fs::path folder = output_folder(arguments.text("--output"));
 
   Model input = read_piece(path, arguments, session);
   const std::string size = size_text(input.mesh);

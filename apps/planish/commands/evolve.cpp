@@ -47,15 +47,15 @@ std::string line_of(const EvolveReport& report) {
          right(shorter_number(report.result.seconds), 7) + "\n";
 }
 
-void evolve_into(WorkFile& file, const std::filesystem::path& place, const Arguments& arguments,
-                 Session& session) {
+void evolve_into(WorkFile& file, const std::filesystem::path& place, const EvolveRequest& request,
+                 const Arguments& arguments, Session& session) {
   const std::string& path = file.report.path;
   TriMesh mesh = read_whole(path, arguments, session);
-  const auto [evolved, report, cautions] = about(
-      path, [&] { return evolve_as_asked(Patch(std::move(mesh)), path, arguments, session); });
-  const Unit unit = unit_from(arguments);
-  note_cautions(session, path, cautions, unit);
-  file.report.figures = evolved_figures(report, cautions, unit);
+  const auto [evolved, report, cautions] = about(path, [&] {
+    return evolve_as_asked(Patch(std::move(mesh)), path, request, arguments, session);
+  });
+  note_cautions(session, path, cautions, request.unit);
+  file.report.figures = evolved_figures(report, cautions, request.unit);
   file.text = line_of(report);
   file.misses = arguments.has("--require-target") && !report.outcome().target_met();
   if (!place.empty()) file.files = {{place, format_mesh(evolved, mesh_format_of(place))}};
@@ -64,7 +64,7 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
 CommandResult evolve_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
-  check_evolve_request(arguments);
+  const EvolveRequest request = evolve_request_from(arguments);
   const auto format = output_format_from(all, names_of(k_mesh_formats));
   const SeveralFiles job = {
       .columns = evolved_columns(),
@@ -74,36 +74,34 @@ CommandResult evolve_several(const Arguments& all, Session& session) {
       .extension =
           [&](const std::string& path) { return "." + format.value_or(mesh_format_for(path)); },
       .work = [&](WorkFile& file,
-                  const auto& place) { evolve_into(file, place, arguments, session); }};
+                  const auto& place) { evolve_into(file, place, request, arguments, session); }};
   return run_several(job, arguments, session);
 }
 
 CommandResult run_evolve(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return evolve_several(arguments, session);
   output_format_from(arguments, names_of(k_mesh_formats));
-  check_evolve_request(arguments);
-  const std::string& output = arguments.flags.at("--output");
+  const EvolveRequest request = evolve_request_from(arguments);
+  const std::string output = arguments.text("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   std::vector<OutputFile> files = {{path_of(output), {}}};
-  if (arguments.has("--history")) files.push_back({path_of(arguments.flags.at("--history")), {}});
+  if (arguments.has("--history")) files.push_back({path_of(arguments.text("--history")), {}});
   refuse_shared_places(files);
-  const Method method = method_from(arguments, Method{});
 
   const std::string& path = arguments.operands.front();
   CutInput input = cut_as_asked(read_whole(path, arguments, session), path, arguments, session);
   const auto [evolved, report, cautions] = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
-    if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
-    return evolve_as_asked(patch, path, arguments, session);
+    if (!request.remesh) note_memory(session, request.method, patch.vertex_count());
+    return evolve_as_asked(patch, path, request, arguments, session);
   });
-  const Unit unit = unit_from(arguments);
-  note_cautions(session, path, cautions, unit);
+  note_cautions(session, path, cautions, request.unit);
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
-  const std::string json = json_report(report, cautions, unit, figures_of_cut(input.cut));
+  const std::string json = json_report(report, cautions, request.unit, figures_of_cut(input.cut));
   CommandResult outcome =
       with_target_checked({text + evolve_text(report), json}, arguments, report);
   session.write(files);
@@ -112,29 +110,28 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 
 }  // namespace
 
-void check_evolve_request(const Arguments& arguments) {
-  unit_from(arguments);
+EvolveRequest evolve_request_from(const Arguments& arguments) {
+  const Unit unit = unit_from(arguments);
   const Method method = method_from(arguments, Method{});
-  smooth_first_from(arguments);
   refuse_unsupported_constraints(arguments, method);
-  stopping_from(arguments, method);
+  return {unit, method, stopping_from(arguments, method), smooth_first_from(arguments),
+          arguments.has("--remesh")};
 }
 
-Evolved evolve_as_asked(const Patch& patch, const std::string& path, const Arguments& arguments,
-                        Session& session) {
-  const Method method = method_from(arguments, Method{});
-  const Stopping stopping = stopping_from(arguments, method);
+Evolved evolve_as_asked(const Patch& patch, const std::string& path, const EvolveRequest& request,
+                        const Arguments& arguments, Session& session) {
+  const auto& [unit, method, stopping, smooth_first, asks_to_remesh] = request;
   const Constraints constraints = constraints_from(arguments, patch, session);
   const Context context = session.job_context(path);
-  if (const double length = smooth_first_from(arguments); length > 0.0) {
-    const SmoothedDesign design = smooth_design(patch, length);
+  if (smooth_first > 0.0) {
+    const SmoothedDesign design = smooth_design(patch, smooth_first);
     EvolveReport report = with_smoothing(
         evolve_patch(design.patch, method, stopping, constraints, context), patch, design.done);
     return {{report.result.positions, patch.triangles()},
             std::move(report),
             find_cautions(patch, design.patch)};
   }
-  if (arguments.has("--remesh")) {
+  if (asks_to_remesh) {
     check_constraints(constraints, patch.vertex_count(), method);
     const RemeshedPatch remeshed = remesh(patch, constraints);
     EvolveReport report = evolve_remeshed(patch, remeshed, method, stopping, context);

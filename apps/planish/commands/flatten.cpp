@@ -57,7 +57,7 @@ fs::path folder_from(const Arguments& arguments) {
   if (arguments.operands.size() > 1 && !arguments.has("--output"))
     throw UsageError("with several files, say where to write: --output FOLDER");
   const std::string stem = stem_of(arguments.operands.front());
-  return output_folder(arguments.value_or("--output", stem + "-pattern"));
+  return output_folder(arguments.text("--output", stem + "-pattern"));
 }
 
 void refuse_shared_paths(const WrittenFiles& paths) {
@@ -229,7 +229,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
 }  // namespace
 
 ColorMap colors_from(const Arguments& arguments) {
-  const std::string name = arguments.value_or("--colors", "diverging");
+  const std::string name = arguments.text("--colors", "diverging");
   return known_name("color map", name, color_names()) == "paper" ? ColorMap::paper
                                                                  : ColorMap::diverging;
 }

@@ -62,7 +62,7 @@ FlagGroup frontier_flags() {
 StrainLimits limit_from(const Arguments& arguments) {
   if (arguments.has("--material")) return one_limit_of_material(arguments);
   if (!arguments.has("--max-strain")) return {};
-  const double limit = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
+  const double limit = quantity_value("--max-strain", arguments.value("--max-strain"),
                                       Quantity::share, {0.0, 1.0}, arguments);
   if (limit == 0.0) throw UsageError("--max-strain is 0 but must be more: the curve ends there");
   return {.max = limit};
@@ -100,7 +100,7 @@ Writer writer_of(const std::string& output) {
 FrontierOptions options_from(const Arguments& arguments) {
   FrontierOptions options;
   if (arguments.has("--points"))
-    options.points = whole_number_of("--points", arguments.flags.at("--points"), k_points);
+    options.points = whole_number_of("--points", arguments.value("--points"), k_points);
   options.limits = limit_from(arguments);
   options.others = others_from(arguments);
   options.unit = unit_from(arguments);
@@ -117,7 +117,7 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   FrontierOptions options = options_from(arguments);
   const bool writes = arguments.has("--output");
-  const std::string output = arguments.value_or("--output", "");
+  const std::string output = arguments.text("--output");
   const Writer writer = writes ? writer_of(output) : nullptr;
   if (arguments.has("--open") && extension_of(output) != ".html")
     throw UsageError("flag --open opens a page that is written: say where, with --output X.html");

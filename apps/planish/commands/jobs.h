@@ -7,8 +7,10 @@
 #include <planish/draw/color.h>
 #include <planish/flatten/flatten.h>
 #include <planish/mesh/patch.h>
+#include <planish/pattern/pattern_options.h>
 #include <planish/unfold/suggest_cuts.h>
 
+#include "output/pattern_output.h"
 #include "shell/command.h"
 #include "shell/session.h"
 
@@ -25,9 +27,17 @@ FlattenOptions flatten_options_from(const Arguments& arguments);
 /// @throws UsageError for unknown names
 ColorMap colors_from(const Arguments& arguments);
 
-/// Refuses what can be wrong with the flags of `evolve`, before any work.
+/// What the flags of `evolve` ask for, but for constraints.
+struct EvolveRequest {
+  Unit unit = Unit::mm;
+  Method method = {};
+  Stopping stopping = {};
+  double smooth_first = 0.0;  ///< model units; 0 for not at all
+  bool remesh = false;
+};
+
 /// @throws UsageError, Error option_out_of_range
-void check_evolve_request(const Arguments& arguments);
+EvolveRequest evolve_request_from(const Arguments& arguments);
 
 /// What `evolve` made of a patch.
 struct Evolved {
@@ -38,9 +48,22 @@ struct Evolved {
 
 /// Evolves a patch as the flags of `evolve` ask.
 /// @param path of its file, for the line of progress
-/// @throws UsageError, Error as evolve_patch(); Cancelled
-Evolved evolve_as_asked(const Patch& patch, const std::string& path, const Arguments& arguments,
-                        Session& session);
+/// @param arguments with the constraints
+/// @throws Error as constraints_from() and evolve_patch(); Cancelled
+Evolved evolve_as_asked(const Patch& patch, const std::string& path, const EvolveRequest& request,
+                        const Arguments& arguments, Session& session);
+
+/// What the flags of `unfold` ask for.
+struct UnfoldRequest {
+  Unit unit = Unit::mm;
+  PatternOutput output = {};
+  UnfoldOptions options = {};
+  PatternOptions annotations = {};
+};
+
+/// @param writes_sheet whether a pattern is drawn at all
+/// @throws UsageError, and as annotations_from()
+UnfoldRequest unfold_request_from(const Arguments& arguments, bool writes_sheet);
 
 /// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
 /// @throws Error what stands in the way, where a limit was asked for; Cancelled

@@ -92,9 +92,9 @@ void check_picture_format(const std::string& path) {
 std::vector<OutputFile> places_from(const Arguments& arguments) {
   std::vector<OutputFile> files;
   for (const char* flag : {"--map", "--picture"}) {
-    if (arguments.has(flag)) files.push_back({path_of(arguments.flags.at(flag)), {}});
+    if (arguments.has(flag)) files.push_back({path_of(arguments.text(flag)), {}});
   }
-  if (arguments.has("--picture")) check_picture_format(arguments.flags.at("--picture"));
+  if (arguments.has("--picture")) check_picture_format(arguments.text("--picture"));
   std::vector<OutputFile> all = files;
   for (const auto& [role, path] : fields_paths(arguments))
     all.push_back({path_of(path), {}});

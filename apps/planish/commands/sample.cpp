@@ -32,10 +32,10 @@ CommandResult list_samples() {
 
 CommandResult run_sample(const Arguments& arguments, Session& session) {
   if (arguments.has("--list")) return list_samples();
-  const std::string& output = arguments.flags.at("--output");
+  const std::string output = arguments.text("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   const std::string name = known_name("sample", arguments.operands.front(), shape_names());
-  const std::string vertices = arguments.value_or("--vertices", "5000");
+  const Field vertices = arguments.value("--vertices", 5000);
   const TriMesh mesh = make_shape(
       name, static_cast<std::size_t>(whole_number_of("--vertices", vertices, k_vertices)));
   CommandResult outcome = {name + " -> " + output + "  (" + size_text(mesh) + ")\n",

@@ -33,7 +33,7 @@ std::map<std::string, std::string> suggestion_paths(const Arguments& arguments) 
   std::map<std::string, std::string> paths;
   for (const auto& [role, flag] : {std::pair{"cuts", "--output"}, std::pair{"picture", "--picture"},
                                    std::pair{"mesh", "--apply"}}) {
-    if (arguments.has(flag)) paths[role] = arguments.flags.at(flag);
+    if (arguments.has(flag)) paths[role] = arguments.text(flag);
   }
   std::vector<OutputFile> files;
   files.reserve(paths.size());
@@ -92,8 +92,8 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
 SuggestOptions suggest_options_from(const Arguments& arguments) {
   SuggestOptions options;
   if (const StrainLimits limits = limits_from(arguments); limits.any()) options.limits = limits;
-  options.max_darts = whole_number_of(
-      "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
+  options.max_darts =
+      whole_number_of("--max-cuts", arguments.value("--max-cuts", options.max_darts), k_darts);
   return options;
 }
 

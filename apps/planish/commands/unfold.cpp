@@ -8,6 +8,7 @@
 
 #include "batch/several_files.h"
 #include "commands/commands.h"
+#include "commands/jobs.h"
 #include "flags/annotation_flags.h"
 #include "flags/cut_flag.h"
 #include "flags/limit_flags.h"
@@ -46,14 +47,6 @@ void check_format(const std::string& path) {
               {.path = path});
 }
 
-/// @param format of what is written; none for meshes
-PatternOutput output_from(const Arguments& arguments, std::optional<PatternFormat> format) {
-  std::vector<PatternFormat> formats;
-  if (format) formats.push_back(*format);
-  refuse_idle_pattern_flags(arguments, formats);
-  return pattern_output_from(arguments);
-}
-
 /// What is written, and the pattern that it draws; empty of meshes.
 struct Written {
   std::string content;
@@ -78,25 +71,13 @@ std::vector<std::string> output_names() {
   return {"svg", "dxf", "pdf", "plt", "obj", "ply", "stl", "off"};
 }
 
-/// What the flags ask for, of one patch as of several.
-struct UnfoldRequest {
-  Unit unit = Unit::mm;
-  PatternOutput output;
-  UnfoldOptions options;
-  PatternOptions annotations;
-};
-
 /// @param output a path that has the extension of what is written
 UnfoldRequest request_from(const Arguments& arguments, const std::string& output) {
   check_format(output);
-  const auto format = pattern_format_of(output);
-  return {unit_from(arguments),
-          output_from(arguments, format),
-          {.match_seams = arguments.has("--match-seams"),
-           .least_stretch = arguments.has("--least-stretch"),
-           .limits = limits_from(arguments),
-           .fold = fold_ends_from(arguments)},
-          annotations_from(arguments, format.has_value())};
+  std::vector<PatternFormat> formats;
+  if (const auto format = pattern_format_of(output)) formats.push_back(*format);
+  refuse_idle_pattern_flags(arguments, formats);
+  return unfold_request_from(arguments, !formats.empty());
 }
 
 /// The figures of one of several files for people.
@@ -155,7 +136,7 @@ CommandResult unfold_several(const Arguments& all, Session& session) {
 CommandResult run_unfold(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return unfold_several(arguments, session);
   output_format_from(arguments, output_names());
-  const std::string& output = arguments.flags.at("--output");
+  const std::string output = arguments.text("--output");
   UnfoldRequest request = request_from(arguments, output);
 
   const std::string& path = arguments.operands.front();
@@ -192,6 +173,16 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
 }
 
 }  // namespace
+
+UnfoldRequest unfold_request_from(const Arguments& arguments, bool writes_sheet) {
+  return {unit_from(arguments),
+          pattern_output_from(arguments),
+          {.match_seams = arguments.has("--match-seams"),
+           .least_stretch = arguments.has("--least-stretch"),
+           .limits = limits_from(arguments),
+           .fold = fold_ends_from(arguments)},
+          annotations_from(arguments, writes_sheet)};
+}
 
 Command unfold_command() {
   std::vector<Flag> flags = {

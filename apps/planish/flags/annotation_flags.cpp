@@ -4,13 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 
 #include <planish/pattern/read_annotations.h>
-
-#include <fast_float/fast_float.h>
 
 #include "flags/quantities.h"
 #include "flags/scale_flag.h"
@@ -33,71 +30,61 @@ constexpr Range k_quantity = {1.0, 1'000'000.0};
 double length_from(const Arguments& arguments, const std::string& flag) {
   constexpr Range positive = {.min = std::numeric_limits<double>::min()};
   return millimetres_per(unit_from(arguments)) *
-         quantity_value(flag, arguments.flags.at(flag), Quantity::length, positive, arguments);
+         quantity_value(flag, arguments.value(flag), Quantity::length, positive, arguments);
 }
 
 std::optional<Allowance> allowance_from(const Arguments& arguments) {
   if (!arguments.has("--allowance")) return std::nullopt;
   Allowance allowance{.width = length_from(arguments, "--allowance")};
   if (arguments.has("--corners")) {
-    allowance.corners = value_named("kind of corners", arguments.flags.at("--corners"), k_corners);
+    allowance.corners = value_named("kind of corners", arguments.text("--corners"), k_corners);
   }
   return allowance;
 }
 
-/// Three numbers with commas between them; nothing for anything else.
-std::optional<Vec3> direction_in(const std::string& text) {
-  std::array<double, 3> numbers = {};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
-    const auto parsed = fast_float::from_chars(at, end, numbers[i]);
-    if (parsed.ec != std::errc() || !std::isfinite(numbers[i])) return std::nullopt;
-    at = parsed.ptr;
-  }
-  if (at != end) return std::nullopt;
-  return Vec3{numbers[0], numbers[1], numbers[2]};
-}
-
+/// An angle, or a direction of three numbers.
 std::optional<Grain> grain_from(const Arguments& arguments) {
   if (!arguments.has("--grain")) return std::nullopt;
-  const std::string& text = arguments.flags.at("--grain");
-  if (text.find(',') == std::string::npos) {
-    return quantity_value("--grain", text, Quantity::angle, {-360.0, 360.0}, arguments);
-  }
-  const auto direction = direction_in(text);
-  if (!direction || !(norm(*direction) > 0.0)) {
-    throw UsageError("--grain is \"" + text +
+  const std::vector<Field> parts = arguments.fields("--grain");
+  if (parts.size() == 1)
+    return quantity_value("--grain", parts.front(), Quantity::angle, {-360.0, 360.0}, arguments);
+  std::vector<double> numbers;
+  for (const Field& part : parts)
+    numbers.push_back(field_number(part).value_or(std::numeric_limits<double>::quiet_NaN()));
+  numbers.resize(std::max<std::size_t>(numbers.size(), 3));
+  const Vec3 direction = {numbers[0], numbers[1], numbers[2]};
+  if (parts.size() != 3 || !(norm(direction) > 0.0)) {
+    throw UsageError("--grain is \"" + arguments.text("--grain") +
                      "\" but must be a direction such as 0,0,1 or an angle such as 30deg");
   }
-  return *direction;
+  return direction;
 }
 
-/// Two numbers of vertices with a comma between them.
+/// Two numbers of vertices.
 std::optional<FoldLine> fold_from(const Arguments& arguments) {
   if (!arguments.has("--fold")) return std::nullopt;
-  const std::string& text = arguments.flags.at("--fold");
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
-    throw UsageError("--fold is \"" + text + "\" but must be two vertices, as 12,57");
+  const std::vector<Field> ends = arguments.fields("--fold");
+  if (ends.size() != 2) {
+    throw UsageError("--fold is \"" + arguments.text("--fold") +
+                     "\" but must be two vertices, as 12,57");
+  }
   constexpr Range range = {.min = 0.0, .max = std::numeric_limits<std::int32_t>::max()};
-  const auto vertex = [&](const std::string& word) {
-    return static_cast<Index>(whole_number_of("--fold", word, range));
+  const auto vertex = [&](const Field& end) {
+    return static_cast<Index>(whole_number_of("--fold", end, range));
   };
-  return FoldLine{vertex(text.substr(0, comma)), vertex(text.substr(comma + 1))};
+  return FoldLine{vertex(ends[0]), vertex(ends[1])};
 }
 
 PieceLabel label_from(const Arguments& arguments) {
-  PieceLabel label{.name = arguments.value_or("--piece-name", ""),
-                   .size = arguments.value_or("--size", ""),
-                   .fabric = arguments.value_or("--fabric", ""),
-                   .note = arguments.value_or("--note", "")};
+  PieceLabel label{.name = arguments.text("--piece-name"),
+                   .size = arguments.text("--size"),
+                   .fabric = arguments.text("--fabric"),
+                   .note = arguments.text("--note")};
   if (arguments.has("--quantity")) {
-    label.quantity = whole_number_of("--quantity", arguments.flags.at("--quantity"), k_quantity);
+    label.quantity = whole_number_of("--quantity", arguments.value("--quantity"), k_quantity);
   }
   if (arguments.has("--mirrored")) {
-    label.mirrored = whole_number_of("--mirrored", arguments.flags.at("--mirrored"),
+    label.mirrored = whole_number_of("--mirrored", arguments.value("--mirrored"),
                                      {.min = 0.0, .max = k_quantity.max});
     if (const int pieces = std::max(1, label.quantity); label.mirrored > pieces) {
       throw UsageError("--mirrored is " + std::to_string(label.mirrored) + " but --quantity is " +
@@ -112,7 +99,7 @@ LineFit line_fit_from(const Arguments& arguments) {
   if (arguments.has("--match-seams")) fit.length_tolerance = k_length_tolerance_of_seams;
   if (!arguments.has("--curve-tolerance")) return fit;
   fit.tolerance = millimetres_per(unit_from(arguments)) *
-                  quantity_value("--curve-tolerance", arguments.flags.at("--curve-tolerance"),
+                  quantity_value("--curve-tolerance", arguments.value("--curve-tolerance"),
                                  Quantity::length, {.min = 0.0, .max = 1e6}, arguments);
   return fit;
 }
@@ -127,14 +114,14 @@ NotchSizes notch_sizes_from(const Arguments& arguments, const std::optional<Allo
 
 /// Whether the file of a flag is a drawing, which can be read only when there is a mesh.
 bool is_drawn(const std::string& flag, const Arguments& arguments) {
-  return arguments.has(flag) && lower_extension(arguments.flags.at(flag)) == ".obj";
+  return arguments.has(flag) && lower_extension(arguments.text(flag)) == ".obj";
 }
 
-/// The path of a flag's file; nothing without the flag, and where the file is a drawing.
-std::optional<std::filesystem::path> list_of_flag(const std::string& flag,
-                                                  const Arguments& arguments) {
-  if (!arguments.has(flag) || is_drawn(flag, arguments)) return std::nullopt;
-  return path_of(arguments.flags.at(flag));
+/// What the rows of a flag say; nothing without the flag, and where its file is a drawing.
+template <class Item>
+void take_rows(const std::string& flag, const Arguments& arguments,
+               std::vector<Item> (*items_in)(const Rows&), std::vector<Item>& items) {
+  if (arguments.has(flag) && !is_drawn(flag, arguments)) items = items_in(arguments.rows_of(flag));
 }
 
 void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
@@ -230,19 +217,14 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.fold = fold_from(arguments);
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
-  options.date = arguments.value_or("--date", "");
+  options.date = arguments.text("--date");
   options.model_scale = scale_from(arguments);
   options.edge_lengths = arguments.has("--edge-lengths");
   options.curves = line_fit_from(arguments);
-  if (const auto path = list_of_flag("--notches", arguments)) options.notches = read_notches(*path);
-  if (const auto path = list_of_flag("--inner-lines", arguments)) {
-    options.inner_lines = read_inner_lines(*path);
-  }
-  if (arguments.has("--edge-allowances")) {
-    options.edge_allowances =
-        read_edge_allowances(path_of(arguments.flags.at("--edge-allowances")));
-  }
-  if (const auto path = list_of_flag("--marks", arguments)) options.marks = read_marks(*path);
+  take_rows("--notches", arguments, notches_in, options.notches);
+  take_rows("--inner-lines", arguments, inner_lines_in, options.inner_lines);
+  take_rows("--edge-allowances", arguments, edge_allowances_in, options.edge_allowances);
+  take_rows("--marks", arguments, marks_in, options.marks);
   return options;
 }
 
@@ -253,7 +235,7 @@ PatternOptions with_drawn_annotations(PatternOptions options, const Arguments& a
   const Patch in_file = as_in_file(patch, arguments);
   const auto add = [&](const std::string& flag, auto read) {
     if (!is_drawn(flag, arguments)) return;
-    const std::string& file = arguments.flags.at(flag);
+    const std::string file = arguments.text(flag);
     const DrawnAnnotations drawn = read(path_of(file), in_file);
     options.notches.insert(options.notches.end(), drawn.notches.begin(), drawn.notches.end());
     options.marks.insert(options.marks.end(), drawn.marks.begin(), drawn.marks.end());

@@ -20,7 +20,7 @@ FlagGroup annotation_flags();
 
 /// What the flags and their files ask for, but for files that are drawings.
 /// @param writes_sheet whether a pattern is drawn at all
-/// @throws UsageError, Error option_out_of_range, and as read_notches() and read_marks()
+/// @throws UsageError, Error option_out_of_range, and as read_rows(), notches_in() and the like
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet);
 
 /// The ends of --fold, as UnfoldOptions has them.

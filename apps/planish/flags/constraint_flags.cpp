@@ -26,8 +26,11 @@ void refuse(const std::string& flag, const Method& method, bool (*honours)(const
 }
 
 std::vector<Index> fixed_in(const Arguments& arguments, const Patch& patch, Session& session) {
-  const std::string& path = arguments.flags.at("--fix");
-  const FixedVertices fixed = read_fixed_vertices(path_of(path), as_in_file(patch, arguments));
+  const std::string path = arguments.text("--fix");
+  const FixedVertices fixed =
+      arguments.rows.contains("--fix")
+          ? FixedVertices{fixed_vertices_in(arguments.rows_of("--fix"), patch.vertex_count())}
+          : read_fixed_vertices(path_of(path), as_in_file(patch, arguments));
   std::string text = path + ": fixed vertices: " + std::to_string(fixed.vertices.size());
   if (fixed.farthest > 0.0) {
     text += "; what is drawn is at most " + digits(scale_from(arguments) * fixed.farthest, 3) +
@@ -35,6 +38,16 @@ std::vector<Index> fixed_in(const Arguments& arguments, const Patch& patch, Sess
   }
   session.note(text);
   return fixed.vertices;
+}
+
+TriMesh obstacle_from(const Arguments& arguments, Session& session) {
+  const std::string path = arguments.text("--obstacle");
+  const double scale = scale_from(arguments);
+  const auto given = arguments.meshes.find("--obstacle");
+  if (given != arguments.meshes.end()) return scaled(given->second, scale, path);
+  ReadResult file = session.read(path, {.strict = arguments.has("--strict")});
+  file = in_run_unit(std::move(file), run_unit_from(arguments), path, session);
+  return scaled(std::move(file.mesh), scale, path);
 }
 
 }  // namespace
@@ -68,13 +81,10 @@ Constraints constraints_from(const Arguments& arguments, const Patch& patch, Ses
     constraints.fixed = fixed_in(arguments, patch, session);
   }
   if (arguments.has("--weights")) {
-    constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), patch.mesh());
+    constraints.weights = weights_in(arguments.rows_of("--weights"), patch.vertex_count());
   }
   if (arguments.has("--obstacle")) {
-    const std::string& path = arguments.flags.at("--obstacle");
-    ReadResult file = session.read(path, {.strict = arguments.has("--strict")});
-    file = in_run_unit(std::move(file), run_unit_from(arguments), path, session);
-    constraints.obstacle = scaled(std::move(file.mesh), scale_from(arguments), path);
+    constraints.obstacle = obstacle_from(arguments, session);
   }
   return constraints;
 }

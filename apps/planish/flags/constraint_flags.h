@@ -15,7 +15,7 @@ FlagGroup constraint_flags();
 void refuse_unsupported_constraints(const Arguments& arguments, const Method& method);
 
 /// What the flags' files say about a mesh.
-/// @throws Error as read_fixed_vertices(), read_weights() and read_mesh()
+/// @throws Error as read_fixed_vertices(), weights_in() and read_mesh()
 Constraints constraints_from(const Arguments& arguments, const Patch& patch, Session& session);
 
 }  // namespace planish::cli

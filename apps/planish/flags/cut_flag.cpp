@@ -1,15 +1,21 @@
 #include "flags/cut_flag.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include <planish/io/read_features.h>
+#include <planish/mesh/cut.h>
+#include <planish/mesh/geodesic.h>
 #include <planish/mesh/imprint.h>
+#include <planish/unfold/suggest_cuts.h>
 
-#include "flags/cut_lines.h"
+#include "flags/quantities.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
-#include "mesh/mean_edge.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
@@ -36,27 +42,167 @@ FlagGroup cut_flags() {
 
 namespace {
 
-/// Of the diagonal, and of a mean edge: ends of lines that are nearer to another line or the border
-/// are led on to it.
-constexpr double k_join_of_diagonal = 0.005, k_join_of_edge = 1.5;
+/// Of the diagonal: vertices that are nearer to a plane count as on it.
+constexpr double k_on_plane = 1e-6;
 
-/// Joins the lines, makes them edges and opens these. Everything in the coordinates of the file.
+/// Lines that --cut asks for on a mesh.
+struct RequestedLines {
+  std::vector<SurfaceLine> lines;
+  std::vector<std::string> names;      ///< of each, for notes: "lines.obj:3", "plane x=0"
+  std::vector<SourceLocation> places;  ///< of each, for errors
+  std::vector<std::string> notes = {};
+};
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : text + " ") {
+    if (c != ' ') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+bool is_file(const std::string& text) {
+  std::error_code ignored;
+  return std::filesystem::exists(path_of(text), ignored);
+}
+
+/// The values of the flag: one where it is a file with commas in its name.
+std::vector<std::string> values_of(const std::string& text) {
+  if (is_file(text)) return {text};
+  std::vector<std::string> values;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) values.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return values;
+}
+
+/// "x=0", "y=12mm"
+Plane plane_of(const std::string& value, const std::vector<std::string>& words,
+               const Arguments& arguments) {
+  const std::string text = words.size() == 2 ? words[1] : "";
+  const auto axis = std::string_view("xyz").find(text.empty() ? '?' : text[0]);
+  if (axis == std::string_view::npos || text.size() < 3 || text[1] != '=') {
+    throw UsageError("--cut " + value + ": a plane is \"plane x=0\", \"plane y=12mm\" or with z");
+  }
+  const double offset =
+      quantity_value("--cut plane", text.substr(2), Quantity::length, {}, arguments);
+  constexpr std::array axes = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
+  return {axes[axis], offset / scale_from(arguments)};
+}
+
+void add(RequestedLines& all, std::vector<SurfaceLine> lines, const std::string& name) {
+  for (SurfaceLine& line : lines) {
+    all.lines.push_back(std::move(line));
+    all.names.push_back(name);
+    all.places.emplace_back();
+  }
+}
+
+void add_lines(RequestedLines& all, CutLinesOnPatch read, const std::string& name) {
+  for (std::size_t k = 0; k < read.lines.size(); ++k) {
+    all.lines.push_back(std::move(read.lines[k]));
+    all.places.push_back(read.places[k]);
+    const auto line = read.places[k].line;
+    all.names.push_back(name + (line ? ":" + std::to_string(*line) : ""));
+  }
+}
+
+void add_section(RequestedLines& all, const Patch& patch, const std::string& value,
+                 const std::vector<std::string>& words, const Arguments& arguments) {
+  auto lines = plane_section(patch, plane_of(value, words, arguments),
+                             k_on_plane * bounding_box_diagonal(patch.mesh()));
+  if (lines.empty())
+    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the plane does not meet the mesh");
+  add(all, std::move(lines), value);
+}
+
+void add_creases(RequestedLines& all, const Patch& patch, const std::string& value,
+                 const std::vector<std::string>& words, const Arguments& arguments) {
+  const std::string angle = words.size() > 1 ? words[1] : "30deg";
+  const double least = quantity_value("--cut creases", angle, Quantity::angle,
+                                      {.min = 1.0, .max = 180.0}, arguments);
+  auto lines = crease_lines(patch, least);
+  if (lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the mesh has no creases of " +
+                                              angle + "; give a smaller angle");
+  }
+  add(all, std::move(lines), value);
+}
+
+/// A short cut graph, drawn tight from junction to junction.
+void add_cut_graph(RequestedLines& all, const Patch& patch) {
+  const std::vector<std::vector<Index>> graph = cut_graph(patch);
+  if (graph.empty()) all.notes.push_back("--cut open: the surface lies flat without a cut");
+  std::vector<SurfaceLine> lines;
+  for (const std::vector<Index>& path : graph) {
+    SurfaceLine line = line_along_edges(patch, path);
+    // Paths that share edges with others have to stay where these are.
+    lines.push_back(graph.size() == 1 ? shortened(patch, line).points : line);
+  }
+  add(all, std::move(lines), "open");
+}
+
+void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
+              const Arguments& arguments) {
+  CutLinesOnPatch read =
+      read_cut_lines(path_of(file), patch, arguments.value_or("--smooth-lines", "yes") != "no");
+  const ShownLengths lengths(unit_from(arguments));
+  const double scale = scale_from(arguments);
+  if (read.farthest > 0.0) {
+    all.notes.push_back(file + ": what is drawn is at most " + lengths.text(scale * read.farthest) +
+                        " from the surface");
+  }
+  add_lines(all, std::move(read), file);
+}
+
+/// The lines of all values of --cut: rows, files, planes, creases, a cut graph.
+RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
+  RequestedLines all;
+  if (arguments.rows.contains("--cut")) {
+    add_lines(all, cut_lines_in(arguments.rows_of("--cut"), patch), "cut");
+    return all;
+  }
+  for (const std::string& value : values_of(arguments.text("--cut"))) {
+    const std::vector<std::string> words = words_of(value);
+    if (is_file(value) || words.empty()) {
+      add_file(all, patch, value, arguments);
+    } else if (words[0] == "plane") {
+      add_section(all, patch, value, words, arguments);
+    } else if (value == "open") {
+      add_cut_graph(all, patch);
+    } else if (words[0] == "creases") {
+      add_creases(all, patch, value, words, arguments);
+    } else {
+      add_file(all, patch, value, arguments);
+    }
+  }
+  return all;
+}
+
+/// Joins the lines, makes them edges and opens these.
 CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, Session& session,
                               const ShownLengths& lengths) {
-  const Patch patch(mesh);
+  const Patch patch(as_in_file(mesh, arguments));
   RequestedLines asked = requested_lines(patch, arguments);
   const double scale = scale_from(arguments);
   for (const std::string& note : asked.notes)
     session.note(note);
-  const double tolerance = std::max(k_join_of_diagonal * bounding_box_diagonal(mesh),
-                                    k_join_of_edge * mean_edge_length(mesh));
-  const JoinedLines joined = join_lines(patch, std::move(asked.lines), tolerance);
+  const JoinedLines joined =
+      join_lines(patch, std::move(asked.lines), join_tolerance(patch.mesh()));
   for (const JoinedEnd& end : joined.joined) {
     session.note((end.is_last ? "the end of " : "the beginning of ") + asked.names[end.line] +
                  " is " + lengths.text(scale * end.distance) + " from " +
                  (end.to ? asked.names[*end.to] : "the border") + "; joined");
   }
-  const ImprintedMesh imprinted = imprint(patch, joined.lines);
+  const ImprintedMesh imprinted = imprint(Patch(mesh), joined.lines);
   std::vector<CutPath> paths;
   for (std::size_t k = 0; k < imprinted.paths.size(); ++k) {
     if (imprinted.paths[k].size() > 1) paths.push_back({imprinted.paths[k], asked.places[k]});
@@ -69,23 +215,22 @@ CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, S
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session) {
   if (!arguments.has("--cut")) return {std::move(mesh)};
-  const std::string& file = arguments.flags.at("--cut");
+  const std::string file = arguments.text("--cut");
   return about(path, [&]() -> CutInput {
     const ShownLengths lengths(unit_from(arguments));
-    if (arguments.value_or("--cut-along", "triangles") == "triangles") {
-      CutMesh cut = cut_through_triangles(as_in_file(mesh, arguments), arguments, session, lengths);
-      const double scale = scale_from(arguments);
-      for (Vec3& p : cut.mesh.positions)
-        p = scale * p;
-      session.note(file + ": cut open along " + lengths.text(scale * cut.length));
-      return {std::move(cut.mesh), CutOutcome{cut.edges, scale * cut.length}};
+    const bool is_through = arguments.value_or("--cut-along", "triangles") == "triangles";
+    CutLines along;
+    if (!is_through) {
+      along = arguments.rows.contains("--cut")
+                  ? cuts_in(arguments.rows_of("--cut"), mesh)
+                  : read_cuts(path_of(file), as_in_file(mesh, arguments));
     }
-    const CutLines lines = read_cuts(path_of(file), as_in_file(mesh, arguments));
-    CutMesh cut = cut_open(Patch(mesh), lines.paths);
+    CutMesh cut = is_through ? cut_through_triangles(mesh, arguments, session, lengths)
+                             : cut_open(Patch(mesh), along.paths);
     std::string text =
         file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
-    if (lines.farthest > 0.0) {
-      text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * lines.farthest) +
+    if (along.farthest > 0.0) {
+      text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * along.farthest) +
               " from the vertices that stand for it, and between them the cut follows edges";
     }
     session.note(text);

@@ -44,7 +44,7 @@ Flag fields_flag() {
 
 WrittenFiles fields_paths(const Arguments& arguments) {
   if (!arguments.has("--fields")) return {};
-  const std::string& path = arguments.flags.at("--fields");
+  const std::string path = arguments.text("--fields");
   if (format_of(path)) return {{"fields", path}};
   if (lower_extension(path) != ".csv") {
     throw Error(ErrorCode::unsupported_format,

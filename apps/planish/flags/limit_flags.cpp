@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view k_area_suffix = "@p99";
 constexpr Range k_strain = {0.0, k_largest_strain_limit};
 
-double share_above_0(const std::string& flag, const std::string& text, const Arguments& arguments) {
-  const double share = quantity_value(flag, text, Quantity::share, k_strain, arguments);
+double share_above_0(const std::string& flag, const Field& field, const Arguments& arguments) {
+  const double share = quantity_value(flag, field, Quantity::share, k_strain, arguments);
   if (share == 0.0) {
     throw Error(ErrorCode::option_out_of_range,
                 flag + " is 0 but must be more: leave it out for no limit");
@@ -49,19 +49,19 @@ StrainLimits limits_from(const Arguments& arguments) {
   StrainLimits limits;
   if (const auto material = material_from(arguments)) limits = limits_of(*material);
   if (arguments.has("--max-strain")) {
-    std::string text = arguments.flags.at("--max-strain");
-    const std::size_t at = text.find('@');
+    Field share = arguments.value("--max-strain");
+    auto* const text = std::get_if<std::string>(&share);
+    const std::size_t at = text == nullptr ? std::string::npos : text->find('@');
     const bool is_of_area = at != std::string::npos;
-    if (is_of_area && std::string_view(text).substr(at) != k_area_suffix) {
-      throw UsageError("--max-strain is \"" + text +
+    if (is_of_area && std::string_view(*text).substr(at) != k_area_suffix) {
+      throw UsageError("--max-strain is \"" + *text +
                        "\" but must be for every edge, as 5%, or for 99 % of the area, as 5%@p99");
     }
-    (is_of_area ? limits.p99 : limits.max) =
-        share_above_0("--max-strain", text.substr(0, at), arguments);
+    if (is_of_area) text->resize(at);
+    (is_of_area ? limits.p99 : limits.max) = share_above_0("--max-strain", share, arguments);
   }
   if (arguments.has("--max-rms-strain")) {
-    limits.rms =
-        share_above_0("--max-rms-strain", arguments.flags.at("--max-rms-strain"), arguments);
+    limits.rms = share_above_0("--max-rms-strain", arguments.value("--max-rms-strain"), arguments);
   }
   return limits;
 }

@@ -29,7 +29,7 @@ std::optional<Material> material_from(const Arguments& arguments) {
     throw UsageError(
         "--material and --max-strain both say what strain is allowed: give one of them");
   }
-  const std::string& word = arguments.flags.at("--material");
+  const std::string word = arguments.text("--material");
   if (!word.empty() && word.find_first_not_of("0123456789.,%") == std::string::npos) {
     throw UsageError("--material is " + word + " but must be a name, " + list_of(material_names()) +
                      "; for another strain give --max-strain " + word + ", or --max-strain " +

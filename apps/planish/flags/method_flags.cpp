@@ -103,43 +103,40 @@ struct FlagMaker {
 struct OptionSetter {
   const Arguments& arguments;
 
-  const std::string* text_of(const std::string& flag) const {
-    const auto found = arguments.flags.find(flag);
-    return found == arguments.flags.end() ? nullptr : &found->second;
-  }
   void operator()(std::string_view name, double& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
     if (name == k_strain_option) {
       const StrainLimits limits = limits_from(arguments);
       value = std::max(value, limits.both_ways());
-    } else if (const std::string* text = text_of(flag)) {
-      value = quantity_value(flag, *text, quantity_of(name), range, arguments);
+    } else if (arguments.has(flag)) {
+      value = quantity_value(flag, arguments.value(flag), quantity_of(name), range, arguments);
     }
   }
   void operator()(std::string_view name, int& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
-    if (const std::string* text = text_of(flag)) value = whole_number_of(flag, *text, range);
+    if (arguments.has(flag)) value = whole_number_of(flag, arguments.value(flag), range);
   }
   void operator()(std::string_view name, BorderFreedom& border, const char*) const {
     const std::string flag = flag_name(name);
-    const std::string* text = text_of(flag);
-    if (text == nullptr) return;
-    const bool is_length = text->find_first_of("0123456789") != std::string::npos;
+    if (!arguments.has(flag)) return;
+    const Field value = arguments.value(flag);
+    const bool is_length = field_text(value).find_first_of("0123456789") != std::string::npos;
     if (is_length) {
       border = {BorderFreedom::Rule::within,
-                quantity_value(flag, *text, quantity_of(name), Range{0.0}, arguments)};
+                quantity_value(flag, value, quantity_of(name), Range{0.0}, arguments)};
       return;
     }
-    const std::string known = known_name(std::string(name), *text, border_names(border));
+    const std::string known =
+        known_name(std::string(name), field_text(value), border_names(border));
     for (const auto& [rule, rule_name] : names_of(border.rule)) {
       if (rule_name == known) border = {rule};
     }
   }
   template <class Enum>
   void operator()(std::string_view name, Enum& value, const char*) const {
-    const std::string* text = text_of(flag_name(name));
-    if (text == nullptr) return;
-    const std::string known = known_name(std::string(name), *text, names_in(value));
+    const std::string flag = flag_name(name);
+    if (!arguments.has(flag)) return;
+    const std::string known = known_name(std::string(name), arguments.text(flag), names_in(value));
     for (const auto& entry : names_of(value)) {
       if (entry.second == known) value = entry.first;
     }
@@ -221,16 +218,6 @@ void imply_preference(Auto& options, const Arguments& arguments) {
                      std::string(arguments.has("--closeness") ? "--closeness" : "--prefer near"));
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    parts.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return parts;
-}
-
 }  // namespace
 
 std::vector<std::string> method_names() {
@@ -275,7 +262,7 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
 
 Method method_from(const Arguments& arguments, const Method& standard) {
   const std::string name = known_name(
-      "method", arguments.value_or("--method", std::string(name_of(standard))), method_names());
+      "method", arguments.text("--method", std::string(name_of(standard))), method_names());
   Method method = method_named(name);
   refuse_flags_of_other_methods(name, arguments);
   std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
@@ -312,7 +299,7 @@ double smooth_first_from(const Arguments& arguments) {
     if (arguments.has(other)) throw UsageError(flag + " and " + other + " do not go together");
   }
   const double least = std::nextafter(0.0, 1.0);
-  return quantity_value(flag, arguments.flags.at(flag), Quantity::length, Range{least}, arguments);
+  return quantity_value(flag, arguments.value(flag), Quantity::length, Range{least}, arguments);
 }
 
 FlagGroup compare_flags() {
@@ -329,7 +316,7 @@ FlagGroup compare_flags() {
 }
 
 bool asks_for_all_methods(const Arguments& arguments) {
-  return same_word(arguments.value_or("--methods", k_all_methods), k_all_methods);
+  return same_word(arguments.text("--methods", k_all_methods), k_all_methods);
 }
 
 std::vector<CompareRun> runs_from(const Arguments& arguments) {
@@ -337,7 +324,8 @@ std::vector<CompareRun> runs_from(const Arguments& arguments) {
   if (asks_for_all_methods(arguments)) {
     runs = runs_of_all_methods();
   } else {
-    for (const std::string& name : split_at_commas(arguments.flags.at("--methods"))) {
+    for (const Field& field : arguments.fields("--methods")) {
+      const std::string name = field_text(field);
       const Method method = method_named(known_name("method", name, method_names()));
       for (const CompareRun& run : runs) {
         if (name_of(run.method) == name_of(method))

@@ -49,12 +49,13 @@ void refuse_other_choices(const Arguments& arguments, int number) {
   }
 }
 
-int number_from(const std::string& text) {
+int number_from(const Field& field) {
+  const std::string text = field_text(field);
   if (text.find_first_not_of("0123456789") != std::string::npos) {
     throw UsageError("--pick is \"" + text + "\" but must be a number from 1 to " +
                      std::to_string(k_candidates) + ": " + std::string(k_choices));
   }
-  return whole_number_of("--pick", text, k_numbers);
+  return whole_number_of("--pick", field, k_numbers);
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ Flag pick_flag() {
 
 FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
   if (!arguments.has("--pick")) return options;
-  const int number = number_from(arguments.flags.at("--pick"));
+  const int number = number_from(arguments.value("--pick"));
   refuse_other_choices(arguments, number);
   if (options.method && !std::holds_alternative<Auto>(*options.method))
     throw UsageError("flag --pick goes with method auto only");

@@ -17,7 +17,7 @@ namespace {
 
 struct NumberAndSuffix {
   double number = 0.0;
-  std::string suffix;
+  std::string suffix = {};
 };
 
 /// How the value of a flag must look, as the end of a sentence.
@@ -36,7 +36,10 @@ std::string demand_of(Quantity quantity) {
   return {};
 }
 
-NumberAndSuffix taken_apart(const std::string& flag, const std::string& text, Quantity quantity) {
+NumberAndSuffix taken_apart(const std::string& flag, const Field& field, Quantity quantity) {
+  if (const auto* number = std::get_if<double>(&field)) return {*number};
+  if (const auto* number = std::get_if<std::int64_t>(&field)) return {static_cast<double>(*number)};
+  const std::string& text = std::get<std::string>(field);
   NumberAndSuffix result;
   const char* const end = text.data() + text.size();
   const auto parsed = fast_float::from_chars(text.data(), end, result.number);
@@ -114,9 +117,10 @@ std::string forms_of(Quantity quantity) {
   return {};
 }
 
-double quantity_value(const std::string& flag, const std::string& text, Quantity quantity,
-                      Range range, const Arguments& arguments) {
-  const auto [number, suffix] = taken_apart(flag, text, quantity);
+double quantity_value(const std::string& flag, const Field& field, Quantity quantity, Range range,
+                      const Arguments& arguments) {
+  const auto [number, suffix] = taken_apart(flag, field, quantity);
+  const std::string text = field_text(field);
   const double factor = factor_of(suffix, quantity, arguments);
   if (factor == 0.0) {
     throw UsageError(flag + " is \"" + text + "\" but must be " + demand_of(quantity));

@@ -26,10 +26,10 @@ ValueType type_of(Quantity quantity);
 /// How values may be written, for the help: "0.02 or 2%"; empty for plain numbers.
 std::string forms_of(Quantity quantity);
 
-/// The number that the value of a flag says: a fraction, model units, degrees.
+/// The number that the value of a flag is or says: a fraction, model units, degrees.
 /// @param arguments say with --unit what a model unit is
 /// @throws UsageError where it is no such number, Error option_out_of_range
-double quantity_value(const std::string& flag, const std::string& text, Quantity quantity,
-                      Range range, const Arguments& arguments);
+double quantity_value(const std::string& flag, const Field& field, Quantity quantity, Range range,
+                      const Arguments& arguments);
 
 }  // namespace planish::cli

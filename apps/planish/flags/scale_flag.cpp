@@ -27,7 +27,7 @@ Flag scale_flag() {
 
 double scale_from(const Arguments& arguments) {
   if (!arguments.has("--scale")) return 1.0;
-  return quantity_value("--scale", arguments.flags.at("--scale"), Quantity::number, k_scales,
+  return quantity_value("--scale", arguments.value("--scale"), Quantity::number, k_scales,
                         arguments);
 }
 

@@ -83,7 +83,7 @@ Flag unit_flag() {
 
 Unit unit_from(const Arguments& arguments) {
   if (!arguments.has("--unit")) return arguments.stated_unit.value_or(Unit::mm);
-  const std::string& word = arguments.flags.at("--unit");
+  const std::string word = arguments.text("--unit");
   const auto unit = unit_of_word(word);
   if (!unit) refuse_number_with_unit(word);
   return unit ? *unit : unit_named(known_name("unit", word, names_of(k_units)));

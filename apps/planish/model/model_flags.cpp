@@ -44,19 +44,22 @@ std::size_t end_of_name(const std::string& text, std::size_t begin,
 std::vector<std::string> names_from(const Arguments& arguments, const std::string& flag,
                                     std::span<const std::string> known) {
   std::vector<std::string> names;
-  const std::string text = arguments.value_or(flag, "");
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = end_of_name(text, begin, known);
-    if (end > begin) names.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
+  if (!arguments.has(flag)) return names;
+  for (const Field& field : arguments.flags.at(flag)) {
+    const std::string text = field_text(field);
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = end_of_name(text, begin, known);
+      if (end > begin) names.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
   }
-  if (arguments.has(flag) && names.empty())
+  if (names.empty())
     throw UsageError(flag + " needs the names of pieces, with commas between them");
   return names;
 }
 
 double model_length(const Arguments& arguments, const std::string& flag) {
-  return quantity_value(flag, arguments.flags.at(flag), Quantity::length, k_from_zero, arguments);
+  return quantity_value(flag, arguments.value(flag), Quantity::length, k_from_zero, arguments);
 }
 
 Flag names_flag(const std::string& name, const std::string& doc) {
@@ -107,15 +110,15 @@ ModelOptions model_options_from(const Arguments& arguments, std::span<const std:
   ModelOptions options;
   options.strict = arguments.has("--strict");
   if (arguments.has("--weld")) {
-    options.weld = arguments.flags.at("--weld").empty() ? 0.0 : model_length(arguments, "--weld");
+    options.weld = arguments.text("--weld").empty() ? 0.0 : model_length(arguments, "--weld");
   }
   if (arguments.has("--fill-holes")) options.fill_holes = model_length(arguments, "--fill-holes");
   options.divide =
-      value_named("kind of pieces", arguments.value_or("--divide", "objects"), k_divisions);
+      value_named("kind of pieces", arguments.text("--divide", "objects"), k_divisions);
   options.only = names_from(arguments, "--only", known);
   options.without = names_from(arguments, "--without", known);
   if (arguments.has("--side"))
-    options.side = value_named("side", arguments.flags.at("--side"), k_sides);
+    options.side = value_named("side", arguments.text("--side"), k_sides);
   options.flip = arguments.has("--flip");
   return options;
 }

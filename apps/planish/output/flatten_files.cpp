@@ -105,7 +105,7 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   }
   if (arguments.has("--edge-lengths")) paths["edge_lengths"] = in_folder("edge-lengths.csv");
   if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
-  if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
+  if (arguments.has("--history")) paths["history"] = arguments.text("--history");
   paths.merge(fields_paths(arguments));
   return paths;
 }

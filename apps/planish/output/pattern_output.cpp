@@ -20,18 +20,6 @@ constexpr std::array k_formats = {PatternFormat::svg, PatternFormat::dxf, Patter
                                   PatternFormat::plt};
 constexpr const char* k_usual_formats = "svg,dxf,pdf";
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts = {""};
-  for (const char c : text) {
-    if (c == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 std::vector<std::string> layer_names() {
   return {k_sheet_layers.begin(), k_sheet_layers.end()};
 }
@@ -42,7 +30,8 @@ std::vector<std::string> only_layers_from(const Arguments& arguments) {
   std::vector<std::string> wanted;
   if (!arguments.has("--only-layers")) return wanted;
   const std::vector<std::string> layers = layer_names();
-  for (const std::string& name : split(arguments.flags.at("--only-layers"))) {
+  for (const Field& field : arguments.fields("--only-layers")) {
+    const std::string name = field_text(field);
     const auto found = std::find_if(layers.begin(), layers.end(), [&](const std::string& layer) {
       return same_word(layer, name);
     });
@@ -59,10 +48,11 @@ std::vector<std::string> only_layers_from(const Arguments& arguments) {
 }
 
 // "cut=LASER,label=NOTES"
-std::map<std::string, std::string, std::less<>> layer_names_from(const std::string& text) {
+std::map<std::string, std::string, std::less<>> layer_names_from(const Arguments& arguments) {
   const std::vector<std::string> layers = layer_names();
   std::map<std::string, std::string, std::less<>> names;
-  for (const std::string& pair : split(text)) {
+  for (const Field& field : arguments.fields("--dxf-layers")) {
+    const std::string pair = field_text(field);
     const std::size_t sign = pair.find('=');
     if (sign == std::string::npos || sign + 1 == pair.size()) {
       throw UsageError("--dxf-layers has \"" + pair + "\" but must be like cut=LASER,label=NOTES");
@@ -174,23 +164,22 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
 
 PatternOutput pattern_output_from(const Arguments& arguments) {
   PatternOutput output;
-  output.stroked_text = known_name("kind of text", arguments.value_or("--text", "letters"),
-                                   text_kinds()) == "strokes";
-  output.dxf.profile = dxf_profile_named(known_name(
-      "profile", arguments.value_or("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
+  output.stroked_text =
+      known_name("kind of text", arguments.text("--text", "letters"), text_kinds()) == "strokes";
+  output.dxf.profile = dxf_profile_named(
+      known_name("profile", arguments.text("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
   output.map = arguments.has("--map");
   output.only_layers = only_layers_from(arguments);
   output.dxf.version =
-      value_named("version of DXF", arguments.value_or("--dxf-version", "r12"), k_dxf_versions);
+      value_named("version of DXF", arguments.text("--dxf-version", "r12"), k_dxf_versions);
   output.dxf.notch_strokes =
-      known_name("kind of notches", arguments.value_or("--dxf-notches", "points"), notch_kinds()) ==
+      known_name("kind of notches", arguments.text("--dxf-notches", "points"), notch_kinds()) ==
       "strokes";
   if (arguments.has("--dxf-layers")) {
-    output.dxf.layer_names = layer_names_from(arguments.flags.at("--dxf-layers"));
+    output.dxf.layer_names = layer_names_from(arguments);
   }
   if (arguments.has("--paper")) {
-    output.paper =
-        paper_named(known_name("paper", arguments.flags.at("--paper"), names_of(k_papers)));
+    output.paper = paper_named(known_name("paper", arguments.text("--paper"), names_of(k_papers)));
   }
   return output;
 }
@@ -212,7 +201,7 @@ void refuse_idle_pattern_flags(const Arguments& arguments,
   check("--map", writes(PatternFormat::svg) || writes(PatternFormat::pdf), "svg and pdf");
   check("--only-layers", !formats.empty(), "svg, dxf, pdf and plt");
   const bool is_apparel =
-      arguments.value_or("--dxf-profile", "generic") != to_string(DxfProfile::generic);
+      arguments.text("--dxf-profile", "generic") != to_string(DxfProfile::generic);
   check("--dxf-version", writes(PatternFormat::dxf) && !is_apparel, "dxf of the profile generic");
   check("--dxf-notches", writes(PatternFormat::dxf) && is_apparel, "a --dxf-profile for apparel");
 }
@@ -229,8 +218,8 @@ Flag formats_flag() {
 
 std::vector<PatternFormat> formats_from(const Arguments& arguments) {
   std::vector<PatternFormat> formats;
-  for (const std::string& name : split(arguments.value_or("--formats", k_usual_formats))) {
-    const PatternFormat format = value_named("format", name, k_formats);
+  for (const Field& name : arguments.fields("--formats", k_usual_formats)) {
+    const PatternFormat format = value_named("format", field_text(name), k_formats);
     if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
       formats.push_back(format);
     }

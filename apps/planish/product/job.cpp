@@ -199,7 +199,7 @@ class ProductRun {
     for (PatternOptions& own : annotations)
       own.notches.clear();
     const std::vector<SeamNotch> notches = seam_notches_from(arguments_);
-    return about(arguments_.value_or("--seam-notches", ""), [&] {
+    return about(arguments_.text("--seam-notches"), [&] {
       return patches_to_cut(job_.patches, report_, std::move(annotations), notches);
     });
   }

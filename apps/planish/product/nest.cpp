@@ -21,18 +21,18 @@ constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns:
 
 Turns turns_from(const Arguments& arguments) {
   if (!arguments.has("--turn")) return k_turns.front();
-  return value_named("turn", arguments.flags.at("--turn"), k_turns);
+  return value_named("turn", arguments.text("--turn"), k_turns);
 }
 
 /// Millimetres, as nest() has it: 10 km.
 constexpr double k_longest = 1e7;
 
 /// Millimetres.
-double nest_length(const Arguments& arguments, const std::string& flag, const std::string& text,
+double nest_length(const Arguments& arguments, const std::string& flag, const Field& field,
                    double least) {
   const double scale = millimetres_per(unit_from(arguments));
   const Range range = {.min = least, .max = k_longest / scale};
-  return scale * quantity_value(flag, text, Quantity::length, range, arguments);
+  return scale * quantity_value(flag, field, Quantity::length, range, arguments);
 }
 
 std::string material_text(const NestOptions& sheets, std::size_t count) {
@@ -123,7 +123,7 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
     return std::nullopt;
   }
   constexpr double above_zero = std::numeric_limits<double>::min();
-  const std::string& text = arguments.flags.at("--sheet");
+  const std::string text = arguments.text("--sheet");
   const std::size_t sign = text.find('x');
   NestOptions sheets;
   sheets.width = sheet_width(arguments, text.substr(0, sign));
@@ -131,8 +131,7 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
     sheets.length = nest_length(arguments, "--sheet", text.substr(sign + 1), above_zero);
   }
   const auto length_or = [&](const char* flag, double usual) {
-    return arguments.has(flag) ? nest_length(arguments, flag, arguments.flags.at(flag), 0.0)
-                               : usual;
+    return arguments.has(flag) ? nest_length(arguments, flag, arguments.value(flag), 0.0) : usual;
   };
   sheets.gap = length_or("--nest-gap", sheets.gap);
   sheets.margin = length_or("--nest-margin", sheets.margin);

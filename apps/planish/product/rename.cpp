@@ -1,6 +1,5 @@
 #include "product/rename.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,11 +15,10 @@ namespace {
 constexpr const char* k_flag = "--rename";
 
 /// Old name -> new name.
-std::map<std::string, std::string> asked_names(const std::string& text) {
+std::map<std::string, std::string> asked_names(const Arguments& arguments) {
   std::map<std::string, std::string> names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string pair = text.substr(begin, end - begin);
+  for (const Field& field : arguments.fields(k_flag)) {
+    const std::string pair = field_text(field);
     const std::size_t sign = pair.find('=');
     if (sign == std::string::npos || sign == 0 || sign + 1 == pair.size()) {
       throw UsageError(std::string(k_flag) + " has \"" + pair +
@@ -28,7 +26,6 @@ std::map<std::string, std::string> asked_names(const std::string& text) {
     }
     if (!names.emplace(pair.substr(0, sign), pair.substr(sign + 1)).second)
       throw UsageError(std::string(k_flag) + " names \"" + pair.substr(0, sign) + "\" twice");
-    begin = end + 1;
   }
   return names;
 }
@@ -45,7 +42,7 @@ void rename_pieces(ProductInput& input, const Arguments& arguments) {
   if (!arguments.has(k_flag)) return;
   if (input.is_described)
     throw UsageError("flag --rename does not go with a product file: give the names there");
-  std::map<std::string, std::string> asked = asked_names(arguments.flags.at(k_flag));
+  std::map<std::string, std::string> asked = asked_names(arguments);
   std::vector<std::string> old_names, new_names;
   for (ProductPatch& patch : input.patches) {
     old_names.push_back(patch.name);

@@ -21,8 +21,8 @@ namespace planish::cli {
 
 double seam_tolerance_from(const Arguments& arguments) {
   if (!arguments.has("--seam-tolerance")) return 0.0;
-  return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
-                        Quantity::length, {.min = 0.0}, arguments);
+  return quantity_value("--seam-tolerance", arguments.value("--seam-tolerance"), Quantity::length,
+                        {.min = 0.0}, arguments);
 }
 
 ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten) {
@@ -33,7 +33,7 @@ ProductOptions product_options_from(const Arguments& arguments, FlattenOptions f
 
 std::vector<SeamNotch> seam_notches_from(const Arguments& arguments) {
   if (!arguments.has("--seam-notches")) return {};
-  return read_seam_notches(path_of(arguments.flags.at("--seam-notches")));
+  return seam_notches_in(arguments.rows_of("--seam-notches"));
 }
 
 std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
@@ -41,7 +41,7 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const std::string> names) {
   if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
   const std::vector<SeamNotch> notches = seam_notches_from(arguments);
-  return about(arguments.flags.at("--seam-notches"), [&] {
+  return about(arguments.text("--seam-notches"), [&] {
     return notches_of_patches(notches, find_sound_seams(meshes, seam_tolerance_from(arguments)),
                               meshes, names, millimetres_per(unit_from(arguments)));
   });

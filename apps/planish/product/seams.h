@@ -26,11 +26,11 @@ double seam_tolerance_from(const Arguments& arguments);
 ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten);
 
 /// What the file of --seam-notches asks for; nothing without that flag.
-/// @throws Error as read_seam_notches()
+/// @throws Error as read_rows() and seam_notches_in()
 std::vector<SeamNotch> seam_notches_from(const Arguments& arguments);
 
 /// Of each patch the notches that --seam-notches puts on its seams; none without that flag.
-/// @throws Error as read_seam_notches() and notches_of_patches()
+/// @throws Error as seam_notches_from() and notches_of_patches()
 std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const TriMesh> meshes,
                                                  std::span<const std::string> names);

@@ -164,7 +164,7 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
                annotations.notches, annotations.seam_numbers};
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
-      job.flags[flag] = value;
+      job.flags[flag] = arguments.text(flag);
     }
   }
   if (!arguments.has("--unit") && arguments.stated_unit)

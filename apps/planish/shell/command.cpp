@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
+
+#include "platform/path.h"
 
 namespace planish::cli {
 
@@ -34,9 +37,33 @@ ValueType type_of(const FlagValue& operand) {
   return operand.type.value_or(operand.choices.empty() ? ValueType::file : ValueType::name);
 }
 
-std::string Arguments::value_or(std::string_view flag, const std::string& other) const {
+Field Arguments::value(std::string_view flag, Field other) const {
   const auto found = flags.find(flag);
-  return found == flags.end() ? other : found->second;
+  if (found == flags.end()) return other;
+  if (found->second.size() == 1) return found->second.front();
+  std::string all;
+  for (const Field& field : found->second)
+    all += (all.empty() ? "" : ",") + field_text(field);
+  return all;
+}
+
+std::string Arguments::text(std::string_view flag, std::string other) const {
+  return field_text(value(flag, std::move(other)));
+}
+
+std::vector<Field> Arguments::fields(std::string_view flag, std::string other) const {
+  std::vector<Field> parts;
+  const auto found = flags.find(flag);
+  for (const Field& field : found == flags.end() ? std::vector<Field>{other} : found->second) {
+    for (Field& part : field_parts(field))
+      parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Rows Arguments::rows_of(const std::string& flag) const {
+  const auto found = rows.find(flag);
+  return found != rows.end() ? found->second : read_rows(path_of(text(flag)));
 }
 
 void mark_first(std::vector<FlagGroup>& groups, const std::vector<std::string>& names) {
@@ -77,12 +104,15 @@ const FlagGroup& global_flags() {
 }
 
 const Flag* find_flag(const Command& command, std::string_view name) {
-  for (const FlagGroup& group : command.groups) {
+  const auto in = [&](const FlagGroup& group) -> const Flag* {
     const auto found = std::find_if(group.flags.begin(), group.flags.end(),
                                     [&](const Flag& flag) { return flag.name == name; });
-    if (found != group.flags.end()) return &*found;
+    return found == group.flags.end() ? nullptr : &*found;
+  };
+  for (const FlagGroup& group : command.groups) {
+    if (const Flag* const found = in(group)) return found;
   }
-  return nullptr;
+  return in(global_flags());
 }
 
 }  // namespace planish::cli

@@ -8,6 +8,8 @@
 
 #include <planish/core/range.h>
 #include <planish/core/unit.h>
+#include <planish/io/read_features.h>
+#include <planish/mesh/tri_mesh.h>
 
 #include "shell/run_context.h"
 
@@ -70,11 +72,16 @@ struct FlagGroup {
   std::string first_title = {};  ///< above the flags that come first; empty for the same
 };
 
-/// What the user typed behind the verb, and what the input files say in its place.
+/// What the user typed behind the verb, and what the input files say in its place; or the same from
+/// a caller that has values at hand.
 struct Arguments {
   std::vector<std::string> operands;
-  /// Full name of the flag -> its value, empty for flags that take none.
-  std::map<std::string, std::string, std::less<>> flags;
+  /// Full name of the flag -> its value: one field as it was typed; several where commas would
+  /// stand between them; none of flags without one.
+  std::map<std::string, std::vector<Field>, std::less<>> flags;
+  /// What the files of flags hold, where their values are but names for it.
+  std::map<std::string, Rows, std::less<>> rows = {};
+  std::map<std::string, TriMesh, std::less<>> meshes = {};
   /// The unit of length that all input files state, which holds without --unit.
   std::optional<Unit> stated_unit = {};
   /// Names of pieces in all files of a run over several, which --only and --without may have in
@@ -82,8 +89,15 @@ struct Arguments {
   std::vector<std::string> names_of_all = {};
 
   bool has(std::string_view flag) const { return flags.find(flag) != flags.end(); }
-  /// The value of a flag or the other text where it was not given.
-  std::string value_or(std::string_view flag, const std::string& other) const;
+  /// The value of a flag, or the other one where it was not given; of several fields a text.
+  Field value(std::string_view flag, Field other = {}) const;
+  /// The same as a text.
+  std::string text(std::string_view flag, std::string other = {}) const;
+  /// The same, divided at commas.
+  std::vector<Field> fields(std::string_view flag, std::string other = {}) const;
+  /// The rows that stand for a flag's file, else those of the file.
+  /// @throws Error as read_rows()
+  Rows rows_of(const std::string& flag) const;
 };
 
 /// What a verb says and how it ended. run() alone prints it, so that --json is one object always.
@@ -127,7 +141,7 @@ bool has_first_flags(const Command& command);
 /// The flags that every verb takes, before or behind it.
 const FlagGroup& global_flags();
 
-/// The flag of that name that the verb takes, or nullptr.
+/// The flag of that name that the verb takes, as every verb may, or nullptr.
 const Flag* find_flag(const Command& command, std::string_view name);
 
 }  // namespace planish::cli

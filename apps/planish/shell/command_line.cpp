@@ -45,9 +45,10 @@ std::string command_line(const Command& verb, const Arguments& arguments) {
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(silent.begin(), silent.end(), flag) != silent.end()) continue;
     line += " " + flag;
-    if (value.empty()) continue;
+    const std::string word = arguments.text(flag);
+    if (word.empty()) continue;
     const Flag* const found = find_flag(verb, flag);
-    line += (found != nullptr && found->accepts.optional ? "=" : " ") + shell_word(value);
+    line += (found != nullptr && found->accepts.optional ? "=" : " ") + shell_word(word);
   }
   return line;
 }

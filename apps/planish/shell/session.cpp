@@ -28,7 +28,7 @@ Session::Session(const Arguments& arguments, std::ostream& err, const RunContext
       context_(context),
       quiet_(arguments.has("--quiet")),
       draws_progress_(context.err_is_terminal && !quiet_) {
-  const std::string threads = arguments.value_or("--threads", "0");
+  const Field threads = arguments.value("--threads", 0);
   threads_ = static_cast<unsigned>(whole_number_of("--threads", threads, k_threads));
 }
 

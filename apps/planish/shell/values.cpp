@@ -19,18 +19,25 @@ std::string plain(double value) {
   return is_whole ? std::to_string(static_cast<long long>(value)) : shortest(value);
 }
 
-int whole_number_of(const std::string& flag, const std::string& text, Range range) {
-  int value = 0;
-  const char* const end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec == std::errc::result_out_of_range) {
+int whole_number_of(const std::string& flag, const Field& field, Range range) {
+  const std::string text = field_text(field);
+  const auto* const whole = std::get_if<std::int64_t>(&field);
+  std::int64_t value = whole == nullptr ? 0 : *whole;
+  bool is_whole = whole != nullptr, is_too_long = false;
+  if (std::holds_alternative<std::string>(field)) {
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    is_too_long = parsed.ec == std::errc::result_out_of_range;
+    is_whole = parsed.ec == std::errc() && parsed.ptr == end;
+  }
+  if (is_too_long || value != static_cast<int>(value)) {
     throw UsageError(flag + " is " + text + " but must be a smaller number");
   }
-  if (parsed.ec != std::errc() || parsed.ptr != end) {
+  if (!is_whole) {
     throw UsageError(flag + " is \"" + text + "\" but must be a whole number");
   }
-  check_range(flag, value, range);
-  return value;
+  check_range(flag, static_cast<double>(value), range);
+  return static_cast<int>(value);
 }
 
 std::string known_name(const std::string& what, const std::string& text,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <planish/core/range.h>
+#include <planish/io/read_features.h>
 
 namespace planish::cli {
 
@@ -16,9 +17,9 @@ std::string shortest(double value);
 /// The same, but whole numbers without an exponent: "10000000".
 std::string plain(double value);
 
-/// The whole number that the value of a flag says.
+/// The whole number that the value of a flag is or says.
 /// @throws UsageError where it is none, Error option_out_of_range
-int whole_number_of(const std::string& flag, const std::string& text, Range range);
+int whole_number_of(const std::string& flag, const Field& field, Range range);
 
 /// The one of the known names that the text is, in capitals or not.
 /// @throws UsageError that says which names there are and which is near

@@ -23,95 +23,47 @@ def keywords_of(arguments: Mapping[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in arguments.items() if key not in NOT_FLAGS and value is not None}
 
 
-def word(item: Any) -> str:
-    """An item of a line, a number with all its digits."""
-    if isinstance(item, str):
-        return item
-    return str(item.__index__()) if hasattr(item, "__index__") else repr(float(item))
-
-
-def is_numpy_bool(item: Any) -> bool:
-    return getattr(getattr(item, "dtype", None), "kind", "") == "b"
-
-
-def line(row: Any) -> str:
-    return row if isinstance(row, str) else " ".join(word(item) for item in row)
-
-
-def lines(keyword: str, rows: Any) -> list[str]:
-    """The lines of a file that says the same."""
-    if isinstance(rows, Mapping):
-        return [line(row) for row in rows.items()]
-    items = list(rows)
-    if keyword == "fix" and items and all(isinstance(item, bool) or is_numpy_bool(item) for item in items):
-        return [line([vertex]) for vertex, is_fixed in enumerate(items) if is_fixed]
-    if keyword == "weights":
-        return [line(row) for row in enumerate(items)]
-    are_single = bool(items) and not any(isinstance(item, str) or hasattr(item, "__len__") for item in items)
-    if are_single and keyword in {"cut", "inner_lines"}:
-        return [line(items)]
-    return [line([item] if not hasattr(item, "__len__") else item) for item in items]
-
-
 def is_path(value: Any) -> bool:
     return isinstance(value, (str, os.PathLike))
 
 
-def write_rows(folder: str, keyword: str, value: Any) -> str:
-    """Writes what a keyword says into a file, as the program reads it."""
-    if keyword == "obstacle":
-        path = os.path.join(folder, "obstacle.ply")
-        _core.write(path, as_mesh(value))
-        return path
-    path = os.path.join(folder, keyword)
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines(row + "\n" for row in lines(keyword, value))
-    return path
+def native(item: Any) -> Any:
+    """What NumPy holds, as Python has it."""
+    return item.tolist() if hasattr(item, "tolist") else item
 
 
-def with_files(keywords: dict[str, Any], work: Callable[[dict[str, Any]], Result]) -> Result:
-    """Does the work with a file for each keyword that was given as rows."""
-    rows = {k: v for k, v in keywords.items() if k in ROW_KEYWORDS | {"obstacle"} and not is_path(v)}
-    if not rows:
-        return work(keywords)
-    from tempfile import TemporaryDirectory
-
-    with TemporaryDirectory(prefix="planish-") as folder:
-        files = {keyword: write_rows(folder, keyword, value) for keyword, value in rows.items()}
-        try:
-            result = work({**keywords, **files})
-        except errors.Error as error:
-            inside = folder + os.sep
-            words = str(error).replace(inside, "")
-            path = error.place.path and error.place.path.replace(inside, "")
-            place = error.place
-            raise errors.make(error.code, words, path, place.line, place.byte, place.first, place.count) from None
-        if hasattr(result, "notes"):
-            result.notes = [note.replace(folder + os.sep, "") for note in result.notes]
-        return result
+def rows(keyword: str, value: Any, count: Optional[int]) -> list[Any]:
+    """The lines of a file that says the same, each a text or its fields."""
+    if isinstance(value, Mapping):
+        return list(value.items())
+    items = [native(item) for item in value]
+    is_mask = keyword == "fix" and all(isinstance(item, bool) for item in items)
+    if (is_mask or keyword == "weights") and items and len(items) != (count or len(items)):
+        raise ValueError(f"{keyword} has {len(items)} items, but the mesh has {count} vertices")
+    if is_mask:
+        return [[vertex] for vertex, is_fixed in enumerate(items) if is_fixed]
+    if keyword == "weights":
+        return list(enumerate(items))
+    are_single = bool(items) and not any(hasattr(item, "__len__") for item in items)
+    if are_single and keyword in {"cut", "inner_lines"}:
+        return [items]
+    return [item if hasattr(item, "__len__") else [item] for item in items]
 
 
-def check_counts(keywords: Mapping[str, Any], count: int) -> None:
-    """Refuses sequences that should have an item for each vertex and have not."""
-    for keyword in ("fix", "weights"):
-        value = keywords.get(keyword)
-        if value is None or is_path(value) or isinstance(value, Mapping):
-            continue
-        items = list(value)
-        is_mask = all(isinstance(item, bool) or is_numpy_bool(item) for item in items)
-        if (keyword == "weights" or is_mask) and items and len(items) != count:
-            raise ValueError(f"{keyword} has {len(items)} items, but the mesh has {count} vertices")
+def typed(keywords: dict[str, Any], count: Optional[int] = None) -> dict[str, Any]:
+    """Keywords with meshes and rows in place of whatever says them; count is that of the mesh's vertices."""
+    given = dict(keywords)
+    for keyword, value in keywords.items():
+        if keyword in ROW_KEYWORDS and not is_path(value):
+            given[keyword] = rows(keyword, value, count)
+        elif keyword == "obstacle" and not is_path(value):
+            given[keyword] = as_mesh(value)
+    return given
 
 
-def run(
-    work: Callable[[_core.Mesh, dict[str, Any], Any], Result],
-    mesh: _core.Mesh,
-    keywords: dict[str, Any],
-    progress: Optional[Progress] = None,
-) -> Result:
+def run(work: Callable[..., Result], mesh: _core.Mesh, keywords: dict[str, Any], *progress: Optional[Progress]) -> Result:
     """Runs the work of a verb on a mesh."""
-    check_counts(keywords, len(mesh.vertices))
-    return with_files(keywords, lambda given: work(mesh, given, progress))
+    return work(mesh, typed(keywords, len(mesh.vertices)), *progress)
 
 
 def told_apart(names: list[str]) -> list[str]:
@@ -134,28 +86,27 @@ def run_product(
     if not isinstance(patches, Mapping) and paths and all(is_path(path) for path in paths):
         texts = [text_of(path) for path in paths]
         title = name or os.path.splitext(os.path.basename(texts[0]))[0]
-        return with_files(keywords, lambda given: _core.flatten_files(title, texts, given, progress))
+        return _core.flatten_files(title, texts, typed(keywords), progress)
     meshes = [as_mesh(mesh) for mesh in paths]
     names: Iterable[Any] = patches if isinstance(patches, Mapping) else (mesh.name for mesh in meshes)
     pairs = list(zip(told_apart([str(own) for own in names]), meshes))
     if not pairs:
         raise errors.make("no_triangles", "the product has no patches")
-    return with_files(keywords, lambda given: _core.flatten_meshes(name or "product", pairs, given, progress))
+    return _core.flatten_meshes(name or "product", pairs, typed(keywords), progress)
 
 
 def draw(result: Any, format_name: str, path: Optional[Path], as_designed: bool, keywords: dict[str, Any]) -> bytes:
     """The drawing of a pattern, also written where there is a path."""
 
-    def work(given: dict[str, Any]) -> bytes:
-        if isinstance(result, _core.FlattenResult):
-            return result._drawing(format_name, as_designed, given)
-        if isinstance(result, _core.UnfoldResult):
-            if as_designed:
-                raise ValueError("as_designed goes with a result of flatten only")
-            return result._drawing(format_name, given)
-        raise TypeError(f"a result of flatten or unfold has a pattern to draw, not one of type {type(result).__name__}")
-
-    content = with_files(keywords, work)
+    if isinstance(result, _core.FlattenResult):
+        content = result._drawing(format_name, as_designed, typed(keywords))
+    elif not isinstance(result, _core.UnfoldResult):
+        kind = type(result).__name__
+        raise TypeError(f"a result of flatten or unfold has a pattern to draw, not one of type {kind}")
+    elif as_designed:
+        raise ValueError("as_designed goes with a result of flatten only")
+    else:
+        content = result._drawing(format_name, typed(keywords))
     if path is not None:
         _core.write_bytes(text_of(path), content)
     return content

@@ -11,8 +11,6 @@
 #include "arrays.h"
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
-#include "flags/method_flags.h"
-#include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
@@ -34,14 +32,14 @@ struct EvolveOutcome {
 
 EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "evolve", keywords);
-  cli::check_evolve_request(arguments);
+  const cli::EvolveRequest request = cli::evolve_request_from(arguments);
   Job job(arguments, std::move(progress));
   EvolveOutcome outcome = job.run([&](cli::Session& session) {
     cli::CutInput input = cut_input(data, arguments, session);
     const Patch patch(std::move(input.mesh));
     cli::note_obstruction(session, patch);
-    return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, arguments, session), input.cut,
-                         cli::unit_from(arguments)};
+    return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, request, arguments, session),
+                         input.cut, request.unit};
   });
   outcome.notes = notes_on(data, arguments, job.notes());
   return outcome;
@@ -62,13 +60,12 @@ class Sweeps {
       if (arguments_.has(flag))
         throw cli::UsageError("flag " + std::string(flag) + " does not go with single sweeps");
     }
-    cli::check_evolve_request(arguments_);
-    const Method method = cli::method_from(arguments_, Method{});
-    stopping_ = cli::stopping_from(arguments_, method);
+    const cli::EvolveRequest request = cli::evolve_request_from(arguments_);
+    stopping_ = request.stopping;
     job_.run([&](cli::Session& session) {
       patch_ = Patch(cut_input(data, arguments_, session).mesh);
       const Constraints constraints = cli::constraints_from(arguments_, patch_, session);
-      evolver_.emplace(patch_, method, constraints, session.silent_context());
+      evolver_.emplace(patch_, request.method, constraints, session.silent_context());
       ended_ = has_met(summarise_defects(angle_defects(patch_), 0).e_max);
       return true;
     });

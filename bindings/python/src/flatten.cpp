@@ -75,13 +75,8 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
 
 UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "unfold", keywords);
-  const Unit unit = cli::unit_from(arguments);
-  const UnfoldOptions options = {.match_seams = arguments.has("--match-seams"),
-                                 .least_stretch = arguments.has("--least-stretch"),
-                                 .limits = cli::limits_from(arguments),
-                                 .fold = cli::fold_ends_from(arguments)};
-  cli::PatternFiles pattern = {
-      {}, cli::pattern_output_from(arguments), cli::annotations_from(arguments, true)};
+  const cli::UnfoldRequest request = cli::unfold_request_from(arguments, true);
+  cli::PatternFiles pattern = {{}, request.output, request.annotations};
   Job job(arguments, std::move(progress));
   UnfoldResult result = job.run([&](cli::Session& session) {
     cli::CutInput input = cut_input(data, arguments, session);
@@ -90,8 +85,9 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     std::vector<Caution> cautions = find_cautions(patch);
     pattern.annotations.cautions = words_of(cautions);
-    UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
-    cli::note_cautions(session, data.name, cautions, unit);
+    UnfoldReport report =
+        unfold_patch(patch, request.unit, request.options, session.job_context({}));
+    cli::note_cautions(session, data.name, cautions, request.unit);
     cli::warn_of_pattern(session, report);
     cli::note_unequal_seams(session, patch, report);
     return UnfoldResult{data.name,           patch,    std::move(report), pattern,
@@ -112,8 +108,8 @@ cli::PatternFiles pattern_files_of(const Drawable& drawable, cli::PatternFormat 
   all["unit"] = std::string(to_string(drawable.unfold.unit));
   const cli::Arguments arguments = arguments_of("unfold", all);
   cli::refuse_idle_pattern_flags(arguments, {format});
-  cli::PatternFiles files = {
-      {}, cli::pattern_output_from(arguments), cli::annotations_from(arguments, true)};
+  cli::UnfoldRequest request = cli::unfold_request_from(arguments, true);
+  cli::PatternFiles files = {{}, std::move(request.output), std::move(request.annotations)};
   files.annotations = Job(arguments, py::none()).run([&](cli::Session& session) {
     return cli::annotations_on(std::move(files.annotations), arguments, drawable.model,
                                drawable.name, session);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "commands/commands.h"
+#include "mesh_data.h"
 #include "parse.h"
-#include "shell/failures.h"
 
 namespace planish::python {
 
@@ -21,21 +21,52 @@ std::string type_text(py::handle value) {
   return py::str(py::type::handle_of(value).attr("__name__")).cast<std::string>();
 }
 
-/// That of a number of NumPy, else the value itself.
-py::object plain_value(py::handle value) {
-  if (py::hasattr(value, "item") && py::hasattr(value, "ndim")) return value.attr("item")();
-  return py::reinterpret_borrow<py::object>(value);
+std::string text_of(const std::string& keyword, py::handle value) {
+  auto text = value.cast<std::string>();
+  if (text.find('\0') != std::string::npos)
+    throw py::value_error(keyword + " must not hold a character of the number 0");
+  return text;
 }
 
-/// A number with all its digits, or a text.
-std::string word_of(const std::string& keyword, py::handle given) {
-  const py::object value = plain_value(given);
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+/// A number, also one of NumPy, or a text.
+Field field_of(const std::string& keyword, py::handle given) {
+  const bool is_numpy = py::hasattr(given, "item") && py::hasattr(given, "ndim");
+  const py::object value =
+      is_numpy ? given.attr("item")() : py::reinterpret_borrow<py::object>(given);
+  if (py::isinstance<py::str>(value)) return text_of(keyword, value);
   const bool is_bool = PyBool_Check(value.ptr()) != 0;
-  if (!is_bool && PyIndex_Check(value.ptr()) != 0)
-    return py::str(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())));
-  if (!is_bool && py::hasattr(value, "__float__")) return py::repr(py::float_(value));
+  if (!is_bool && PyIndex_Check(value.ptr()) != 0) {
+    const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    int overflow = 0;
+    const long long number = PyLong_AsLongLongAndOverflow(whole.ptr(), &overflow);
+    // Its digits, where it is too large for any flag.
+    return overflow == 0 ? Field(std::int64_t{number}) : Field(py::str(whole).cast<std::string>());
+  }
+  if (!is_bool && py::hasattr(value, "__float__")) return py::float_(value).cast<double>();
   throw py::type_error(keyword + " must be a number or a text, not of type " + type_text(value));
+}
+
+std::vector<Field> fields_of(const std::string& keyword, py::handle values) {
+  std::vector<Field> fields;
+  for (const py::handle value : values)
+    fields.push_back(field_of(keyword, value));
+  return fields;
+}
+
+/// @param values each a list of fields, or a text as a line of a file
+Rows rows_of(const std::string& keyword, py::handle values) {
+  Rows rows{keyword, {}};
+  std::size_t number = 0;
+  for (const py::handle value : values) {
+    ++number;
+    if (!py::isinstance<py::str>(value)) {
+      rows.rows.push_back({fields_of(keyword, value), number});
+      continue;
+    }
+    for (Row& row : parse_rows(text_of(keyword, value), keyword).rows)
+      rows.rows.push_back({std::move(row.fields), number});
+  }
+  return rows;
 }
 
 bool is_sequence(py::handle value) {
@@ -44,25 +75,32 @@ bool is_sequence(py::handle value) {
          value.attr("ndim").cast<int>() > 0;
 }
 
-std::string text_of(const std::string& keyword, py::handle value) {
-  if (py::hasattr(value, "__fspath__")) return value.attr("__fspath__")().cast<std::string>();
-  if (!is_sequence(value)) return word_of(keyword, value);
-  std::string text;
-  for (const py::handle item : value)
-    text += (text.empty() ? "" : ",") + word_of(keyword, item);
-  return text;
-}
-
 /// Whether True and False are taken for the flag and its absence.
-bool is_switch(const cli::Command& command, const std::string& flag, py::handle value) {
-  const cli::Flag* const found = cli::find_flag(command, flag);
-  if (found == nullptr || cli::needs_value(*found)) return false;
-  return found->value.empty() || py::isinstance<py::bool_>(value);
+bool is_switch(const cli::Flag& flag, py::handle value) {
+  return !cli::needs_value(flag) && (flag.value.empty() || py::isinstance<py::bool_>(value));
 }
 
 bool switch_of(const std::string& keyword, py::handle value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
   throw py::type_error(keyword + " must be True or False, not of type " + type_text(value));
+}
+
+void take(const std::string& keyword, const cli::Flag& flag, py::handle value,
+          cli::Arguments& arguments) {
+  std::vector<Field>& fields = arguments.flags[flag.name];
+  if (py::isinstance<MeshData>(value)) {
+    fields = {keyword};
+    arguments.meshes[flag.name] = value.cast<const MeshData&>().mesh;
+  } else if (is_sequence(value) && cli::type_of(flag) == cli::ValueType::file) {
+    fields = {keyword};
+    arguments.rows[flag.name] = rows_of(keyword, value);
+  } else if (is_sequence(value)) {
+    fields = fields_of(keyword, value);
+  } else if (py::hasattr(value, "__fspath__")) {
+    fields = {text_of(keyword, value.attr("__fspath__")())};
+  } else {
+    fields = {field_of(keyword, value)};
+  }
 }
 
 }  // namespace
@@ -75,31 +113,19 @@ const cli::Command& command_named(const std::string& verb) {
 
 cli::Arguments arguments_of(const std::string& verb, const py::dict& keywords) {
   const cli::Command& command = command_named(verb);
-  std::vector<std::string> words = {verb};
-  words.insert(words.end(), command.operands.size(), "mesh");
-  std::vector<std::string> unasked;  // that the program needs and Python does not
-  for (const cli::FlagGroup& group : command.groups) {
-    for (const cli::Flag& flag : group.flags) {
-      if (flag.required) unasked.push_back(flag.name);
-    }
-  }
-  for (const std::string& flag : unasked)
-    words.push_back(flag + "=mesh.obj");
+  cli::Arguments arguments;
   for (const auto& [key, value] : keywords) {
     const auto keyword = key.cast<std::string>();
-    const std::string flag = flag_of(keyword);
+    const cli::Flag* const flag = cli::find_flag(command, flag_of(keyword));
+    if (flag == nullptr) throw py::type_error(verb + " has no keyword " + keyword);
     if (value.is_none()) continue;
-    if (!is_switch(command, flag, value)) {
-      words.push_back(flag + "=" + text_of(keyword, value));
-      if (words.back().find('\0') != std::string::npos)
-        throw py::value_error(keyword + " must not hold a character of the number 0");
+    if (!is_switch(*flag, value)) {
+      take(keyword, *flag, value, arguments);
     } else if (switch_of(keyword, value)) {
-      words.push_back(flag);
+      arguments.flags[flag->name];
     }
   }
-  cli::Arguments arguments = cli::parse(words).arguments;
-  for (const std::string& flag : unasked)
-    arguments.flags.erase(flag);
+  cli::refuse_empty_values(command, arguments);
   return arguments;
 }
 

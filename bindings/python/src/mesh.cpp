@@ -77,8 +77,8 @@ MeshData made_sample(const std::string& name, const py::dict& keywords) {
   for (const Shape& shape : shapes())
     names.emplace_back(shape.name);
   const std::string known = cli::known_name("sample", name, names);
-  const int vertices = cli::whole_number_of("--vertices", arguments.value_or("--vertices", "5000"),
-                                            {100, 10'000'000});
+  const int vertices =
+      cli::whole_number_of("--vertices", arguments.value("--vertices", 5000), {100, 10'000'000});
   return {make_shape(known, static_cast<std::size_t>(vertices)), known};
 }
 

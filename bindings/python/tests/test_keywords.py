@@ -4,6 +4,7 @@ import inspect
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -127,6 +128,41 @@ class Values(unittest.TestCase):
         for keyword, value in (("fix", np.ones(5, bool)), ("fix", [True] * (count + 1)), ("weights", np.ones(5))):
             with self.assertRaisesRegex(ValueError, f"{keyword} has .* but the mesh has {count} vertices"):
                 planish.evolve(self.mesh, method="least_norm", **{keyword: value})
+
+    def test_values_stay_what_they_are(self):
+        package = HERE.parent
+        for path in [*package.glob("src/*"), *package.glob("planish/**/*.py")]:
+            self.assertNotRegex(path.read_text(encoding="utf-8"), r"\brepr\(|[Tt]empfile|NamedTemporary", path)
+
+    def test_rows_hold_numbers_as_texts_do(self):
+        by_numbers = planish.unfold(self.mesh, allowance=10, notches=[[0, "v"], [0.25, "t", "double"], [np.float64(0.5)]])
+        by_texts = planish.unfold(self.mesh, allowance="10mm", notches=["0 v", "0.25 t double", "50% # middle"])
+        self.assertEqual(by_numbers.svg(), by_texts.svg())
+        for row, words in (([0.5, "w"], "notches:1: .*no kind of notch"), ([-1], "notches:1: \"-1\" is not the number")):
+            with self.assertRaisesRegex(planish.Error, words):
+                planish.unfold(self.mesh, notches=[row])
+
+    def test_grain_and_fold_are_numbers(self):
+        by_numbers = planish.unfold(self.mesh, grain=np.array([0.1, 0, 1 / 3])).svg()
+        self.assertEqual(by_numbers, planish.unfold(self.mesh, grain="0.1,0,0.3333333333333333").svg())
+        self.assertEqual(planish.unfold(self.mesh, grain=30).svg(), planish.unfold(self.mesh, grain="30deg").svg())
+        with self.assertRaisesRegex(planish.RequestError, "--grain is \"0,1\" but must be a direction"):
+            planish.unfold(self.mesh, grain=[0, 1])
+        with self.assertRaisesRegex(planish.RequestError, "--fold is \"1.5\" but must be a whole number"):
+            planish.unfold(self.mesh, fold=[0, 1.5])
+
+    def test_obstacles_are_meshes(self):
+        middle = self.mesh.vertices.mean(axis=0) - [0, 0, 50]
+        corners = middle + 10 * np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+        sides = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+        by_arrays = planish.evolve(self.mesh, method="local_perturbation", sweeps=2, obstacle=(corners, sides))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "obstacle.ply")
+            planish.write(path, corners, sides)
+            by_file = planish.evolve(self.mesh, method="local_perturbation", sweeps=2, obstacle=path)
+        np.testing.assert_array_equal(by_arrays.vertices, by_file.vertices)
+        with self.assertRaisesRegex(planish.MeshError, "the obstacle: .* no inside"):
+            planish.evolve(self.mesh, method="local_perturbation", obstacle=self.mesh)
 
     def test_cuts_of_a_suggestion(self):
         dome = planish.sample("dome", vertices=400)

@@ -109,7 +109,7 @@ FUNCTIONS = {
         "evolve",
         MESH,
         "_core.Sweeps",
-        "return _run.with_files(given, lambda files: _core.sweeps(_meshes.as_mesh(mesh, faces, name), files))",
+        "return _run.run(_core.sweeps, _meshes.as_mesh(mesh, faces, name), given)",
         "The same as an iterator: a Sweep after each sweep, until evolve() would end.",
     ),
     "unfold": (

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <planish/mesh/cut.h>
@@ -12,6 +16,38 @@
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
+
+/// A word, or a number that needs no reading.
+using Field = std::variant<std::string, std::int64_t, double>;
+
+/// The word, or the number in the shortest digits that read back to it.
+std::string field_text(const Field& field);
+
+/// The finite number that a field is, or that its word says before an ending; nothing of others.
+std::optional<double> field_number(const Field& field, std::string_view ending = {});
+
+/// What a word has between its commas; a number is one part.
+std::vector<Field> field_parts(const Field& field);
+
+/// One of several items that are told in the same way.
+struct Row {
+  std::vector<Field> fields;
+  std::size_t number = 0;  ///< the line of the file, or which row it is; from 1
+};
+
+/// The lines of a file taken apart, or what is told so without a file.
+struct Rows {
+  std::string name;  ///< the path in errors
+  std::vector<Row> rows;
+};
+
+/// The words of each line that has any; comments from # to the end of the line.
+/// @throws Error file_not_found, file_unreadable; malformed_file for UTF-16 and UTF-32
+Rows read_rows(const std::filesystem::path& path);
+
+/// The same from memory.
+/// @param name used as the path in errors
+Rows parse_rows(std::string_view bytes, const std::string& name);
 
 /// The vertices of a mesh that a file says are to stay where they are.
 struct FixedVertices {
@@ -34,18 +70,16 @@ FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch
 FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name);
 
-/// Reads the weights of the vertices of a mesh: on each line the number of a vertex, from 0, and
-/// its weight, a number above 0; comments from # to the end of the line. The others have weight 1.
-/// @return one for each vertex
-/// @throws Error file_not_found, file_unreadable, malformed_file (also for a vertex that comes
-///   twice and a weight that is not above 0), truncated_file, bad_number, index_out_of_range; the
-///   place has path and line
-std::vector<double> read_weights(const std::filesystem::path& path, const TriMesh& mesh);
+/// The vertices that rows list, with commas or without, in increasing order, each once.
+/// @throws Error bad_number, index_out_of_range; the place is that of the row
+std::vector<Index> fixed_vertices_in(const Rows& rows, std::size_t vertex_count);
 
-/// The same from memory.
-/// @param name stands for the path in errors
-std::vector<double> parse_weights(std::string_view bytes, const TriMesh& mesh,
-                                  const std::string& name);
+/// Weights of vertices: of each row the number of a vertex, from 0, and its weight, a number above
+/// 0. The others have weight 1.
+/// @return one for each vertex
+/// @throws Error malformed_file (also for a vertex that comes twice and a weight that is not above
+///   0), bad_number, index_out_of_range; the place is that of the row
+std::vector<double> weights_in(const Rows& rows, std::size_t vertex_count);
 
 /// Lines that a file says a mesh is to be cut along.
 struct CutLines {
@@ -67,6 +101,10 @@ CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh);
 /// @param name used as the path in errors; its extension says which format `bytes` have
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name);
 
+/// The cuts that rows list: each the numbers of its vertices, from 0, with commas or without.
+/// @throws Error bad_number, index_out_of_range; malformed_file where there are none; no_triangles
+CutLines cuts_in(const Rows& rows, const TriMesh& mesh);
+
 /// Lines on a patch that a file draws or lists.
 struct CutLinesOnPatch {
   std::vector<SurfaceLine> lines;
@@ -78,15 +116,18 @@ struct CutLinesOnPatch {
 /// Reads the lines that a patch is to be cut along, through triangles. An OBJ file draws them
 /// (trace_lines()); lines that it has edge by edge are chained. Any other file lists vertices, as
 /// read_cuts() reads it: those that no edge joins are joined by a shortest way.
-/// @param smoothing how far points of drawn lines may move to make them fair, model units
+/// @param smooth whether drawn lines are made fair: smoothed_line() by half a mean edge
 /// @throws Error as read_cuts(), misplaced_cut also for a drawing none of which lies on the patch
 CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch,
-                               double smoothing = 0.0);
+                               bool smooth = true);
+
+/// Those that rows list, as cuts_in() takes them.
+CutLinesOnPatch cut_lines_in(const Rows& rows, const Patch& patch);
 
 /// The same from memory.
 /// @param name used as the path in errors; its extension says which format `bytes` have
 CutLinesOnPatch parse_cut_lines(std::string_view bytes, const Patch& patch, const std::string& name,
-                                double smoothing = 0.0);
+                                bool smooth = true);
 
 /// Such a file for paths with every vertex, a cut a line.
 std::string format_cuts(std::span<const std::vector<Index>> paths);

@@ -73,4 +73,8 @@ struct JoinedLines {
 /// @param tolerance how far an end may be away, model units
 JoinedLines join_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
 
+/// A tolerance that fits drawn lines: 0.5 % of the diagonal, or 1.5 mean edges where that is more.
+/// @pre the mesh has a triangle
+double join_tolerance(const TriMesh& mesh);
+
 }  // namespace planish

@@ -8,6 +8,7 @@
 #include <planish/mesh/surface_line.h>
 
 #include "mesh/carry/place_on_triangle.h"
+#include "mesh/mean_edge.h"
 
 namespace planish {
 
@@ -183,6 +184,11 @@ class Joiner {
 
 JoinedLines join_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance) {
   return Joiner(patch, std::move(lines), tolerance).joined();
+}
+
+double join_tolerance(const TriMesh& mesh) {
+  constexpr double of_diagonal = 0.005, of_edge = 1.5;
+  return std::max(of_diagonal * bounding_box_diagonal(mesh), of_edge * mean_edge_length(mesh));
 }
 
 }  // namespace planish

@@ -15,22 +15,22 @@ using namespace planish;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   fuzz::allow_refusal_of("file", [&] {
-    for (const Notch& notch : parse_notches(bytes, "file")) {
+    for (const Notch& notch : notches_in(parse_rows(bytes, "file"))) {
       fuzz::check(std::isfinite(notch.fraction), "fractions are finite");
       fuzz::check(!notch.edge || notch.vertex(), "files name no edges");
     }
   });
-  fuzz::allow_refusal_of("file", [&] { parse_marks(bytes, "file"); });
+  fuzz::allow_refusal_of("file", [&] { marks_in(parse_rows(bytes, "file")); });
   fuzz::allow_refusal_of("file", [&] {
-    for (const InnerLine& line : parse_inner_lines(bytes, "file"))
+    for (const InnerLine& line : inner_lines_in(parse_rows(bytes, "file")))
       fuzz::check(line.size() >= 2, "inner lines have two ends");
   });
   fuzz::allow_refusal_of("file", [&] {
-    for (const EdgeAllowance& edge : parse_edge_allowances(bytes, "file"))
+    for (const EdgeAllowance& edge : edge_allowances_in(parse_rows(bytes, "file")))
       fuzz::check(edge.width >= 0.0 && std::isfinite(edge.width), "widths are at least 0");
   });
   fuzz::allow_refusal_of("file", [&] {
-    for (const SeamNotch& notch : parse_seam_notches(bytes, "file"))
+    for (const SeamNotch& notch : seam_notches_in(parse_rows(bytes, "file")))
       fuzz::check(std::isfinite(notch.place), "positions are finite");
   });
   const Patch patch(meshes::rough_grid(5, 4, 3));

@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     });
   }
   fuzz::allow_refusal_of("weights", [&] {
-    const std::vector<double> weights = parse_weights(bytes, mesh, "weights");
+    const std::vector<double> weights = weights_in(parse_rows(bytes, "weights"), vertices);
     fuzz::check(weights.size() == vertices, "every vertex has a weight");
     for (const double weight : weights)
       fuzz::check(weight > 0.0 && std::isfinite(weight), "weights are above 0");

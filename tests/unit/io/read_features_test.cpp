@@ -113,21 +113,20 @@ TEST(ReadFixedVertices, NeedsTriangles) {
 
 TEST(ReadWeights, AreOneWhereNothingIsSaid) {
   std::vector<double> expected(25, 1.0);
-  EXPECT_EQ(parse_weights("", grid().mesh(), "weights"), expected);
+  EXPECT_EQ(weights_in(parse_rows("", "weights"), 25), expected);
   expected[0] = 2.5, expected[24] = 1e-3;
-  EXPECT_EQ(parse_weights("# w\n24 1e-3\n\n 0\t2.5 # dear\n", grid().mesh(), "weights"), expected);
+  EXPECT_EQ(weights_in(parse_rows("# w\n24 1e-3\n\n 0\t2.5 # dear\n", "weights"), 25), expected);
 }
 
 TEST(ReadWeights, RefusesWhatIsNoWeight) {
   const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
                           std::string_view part) {
-    expect_refused([&] { parse_weights(text, grid().mesh(), "weights"); }, code, line, part);
+    expect_refused([&] { weights_in(parse_rows(text, "weights"), 25); }, code, line, part);
   };
   refused("1 2\n2 3\n1 2\n", ErrorCode::malformed_file, 3, "already, from line 1");
   refused("1 0\n", ErrorCode::malformed_file, 1, "the weight of vertex 1 is 0 but must be above 0");
   refused("1 -2\n", ErrorCode::malformed_file, 1, "is -2 but");
-  refused("1\n2 3\n", ErrorCode::malformed_file, 1, "the line ends where a number");
-  refused("1", ErrorCode::truncated_file, 1, "the file ends where a number");
+  refused("1\n2 3\n", ErrorCode::malformed_file, 1, "the weight is missing");
   refused("1 2 3\n", ErrorCode::malformed_file, 1, "more follows: \"3\"");
   refused("\n25 1\n", ErrorCode::index_out_of_range, 2, "no vertex 25");
   refused("one 1\n", ErrorCode::bad_number, 1, "\"one\"");
@@ -143,10 +142,10 @@ TEST_F(ReadFeatures, ReadFilesAndNameThem) {
   put_file(folder_ / "weights.txt", "3 7\n");
   EXPECT_EQ(read_fixed_vertices(folder_ / "fixed.txt", grid()).vertices, (Indices{2, 4}));
   EXPECT_EQ(read_fixed_vertices(folder_ / "line.obj", grid()).vertices, (Indices{0, 1, 2}));
-  EXPECT_EQ(read_weights(folder_ / "weights.txt", grid().mesh())[3], 7.0);
+  EXPECT_EQ(weights_in(read_rows(folder_ / "weights.txt"), 25)[3], 7.0);
   const auto missing = folder_ / "none.txt";
   for (const Error& error : {error_of([&] { read_fixed_vertices(missing, grid()); }),
-                             error_of([&] { read_weights(missing, grid().mesh()); })}) {
+                             error_of([&] { read_rows(missing); })}) {
     EXPECT_EQ(error.code(), ErrorCode::file_not_found);
     EXPECT_EQ(error.place().path, utf8_of(missing));
   }

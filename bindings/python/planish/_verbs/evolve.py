@@ -281,4 +281,4 @@ def evolve_sweeps(
         threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
-    return _run.with_files(given, lambda files: _core.sweeps(_meshes.as_mesh(mesh, faces, name), files))
+    return _run.run(_core.sweeps, _meshes.as_mesh(mesh, faces, name), given)

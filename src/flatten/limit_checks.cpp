@@ -80,7 +80,7 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
 std::string limit_text(const LimitCheck& check, Unit unit) {
   switch (check.what) {
     case Criterion::deviation:
-      return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
+      return "at most " + length_text(check.limit, unit, 3);
     case Criterion::angle:
       return "at least " + significant_text(check.limit, 3) + "°";
     case Criterion::e_max:

@@ -149,6 +149,10 @@ bool Outcome::limits_met() const {
                       [](Criterion what) { return what <= Criterion::failure; });
 }
 
+bool Outcome::misses(Criterion what) const {
+  return std::find(missed.begin(), missed.end(), what) != missed.end();
+}
+
 std::string_view EvolveReport::method_name() const {
   return method ? name_of(*method) : "none";
 }

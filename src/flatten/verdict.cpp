@@ -11,9 +11,9 @@
 #include <planish/measure/material.h>
 
 #include "core/figure_text.h"
-#include "core/likely_units.h"
 #include "flatten/limit_checks.h"
 #include "flatten/outcome.h"
+#include "flatten/steps/least_change.h"
 #include "flatten/strain_limit_text.h"
 
 namespace planish {
@@ -29,8 +29,8 @@ constexpr double k_flat_strain = 1.1 * k_unmeasurable_strain;
 
 constexpr double k_limit_rounding = 1e-9;
 
-// Relative changes below these are not worth a word.
-constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
+// A relative change below this is not worth a word.
+constexpr double k_same_strain = 0.02;
 
 /// The largest strain, stretch or compression, as the limit is for.
 double largest_figure(const EdgeStrain& strain, Criterion what) {
@@ -111,6 +111,27 @@ std::string unchanged_sentence(const FlattenReport& report) {
   return {};
 }
 
+/// What a tolerance has, of which most is used up.
+std::string end_of_tolerance(const FlattenReport& report, double distance) {
+  constexpr double k_used_up = 0.8;
+  const Fairness& fairness = report.evolve.fairness;
+  const double moved = report.evolve.deviation.max / distance;
+  const double fold = fairness.sharpest_fold ? fairness.sharpest_fold->degrees : 0.0;
+  const double folded = fold / Tolerance::most_new_fold;
+  const double bent = fairness.bending_added.value_or(0.0) / Tolerance::most_added;
+  if (std::max({moved, folded, bent}) < k_used_up)
+    return " No form with less stretch was found within --max-deviation.";
+  if (moved >= std::max(folded, bent))
+    return " Less would move some place further than --max-deviation allows.";
+  const std::string form = folded >= bent ? "fold some place by more than " +
+                                                significant_text(Tolerance::most_new_fold, 1) +
+                                                " degrees beyond the design"
+                                          : "bend the form more";
+  return " Less would " + form +
+         ", which --max-deviation does not allow: let the border move too (--border), or ask for a "
+         "stretch in its place (--max-rms-strain).";
+}
+
 /// What would take more of the strain out, where it was left for the sake of the form.
 std::string way_on(const FlattenReport& report) {
   const Auto* options = report.evolve.auto_options();
@@ -118,11 +139,11 @@ std::string way_on(const FlattenReport& report) {
       is_too_small_to_measure(report.unfold.strain))
     return {};
   const StopReason stop = report.evolve.result.stop;
+  const bool is_end = stop == StopReason::deviation_limit || stop == StopReason::smooth_limit;
+  if (is_end && options->max_bending == 0.0 && !std::isinf(options->max_deviation))
+    return end_of_tolerance(report, options->max_deviation);
   if (stop == StopReason::deviation_limit)
     return " Less would move some place further than --max-deviation allows.";
-  if (stop == StopReason::smooth_limit && !std::isinf(options->max_deviation))
-    return " Less would fold the form: let it go further (--max-deviation), or the border too "
-           "(--border).";
   if (stop == StopReason::smooth_limit && options->max_bending > 0.0)
     return " Less would bend the form more than --max-bending allows.";
   if (stop == StopReason::smooth_limit)
@@ -170,7 +191,7 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::unmeasurable:
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
-      if (report.evolve.method) return "Does not lie flat without stretch";
+      if (report.outcome().misses(Criterion::stretched)) return "Does not lie flat without stretch";
       return sheet_needed_text(report.unfold.strain);
     case Flatness::limit_kept:
     case Flatness::limit_missed:
@@ -198,10 +219,19 @@ std::string form_clause(const FlattenReport& report) {
   const Flatness flatness = flatness_of(report);
   const bool is_bad = flatness == Flatness::limit_missed || flatness == Flatness::stretched ||
                       report.unfold.pattern.overlaps || report.unfold.pattern.flipped_triangles > 0;
-  const std::string link = is_bad                               ? ", and"
+  const bool is_list =
+      flatness == Flatness::stretched && !report.outcome().misses(Criterion::stretched);
+  const std::string link = is_list                              ? ";"
+                           : is_bad                             ? ", and"
                            : flatness == Flatness::unmeasurable ? ", yet"
                                                                 : ", but";
   return link + " the form " + faults;
+}
+
+/// Whether the pattern was evened out for limits, and that of the design beside it was not.
+bool is_evened_out_alone(const FlattenReport& report) {
+  return !report.unfold.limits.empty() && report.unfold.unlimited_strain &&
+         !report.design_pattern.unlimited_strain;
 }
 
 std::string stretch_sentence(const FlattenReport& report) {
@@ -214,14 +244,15 @@ std::string stretch_sentence(const FlattenReport& report) {
            (after.max < k_not_measurable ? "." : " to within " + percent_text(after.max) + ".");
   }
   std::string text = " The usual stretch is " + percent_text(after.rms) + ", the largest " +
-                     percent_text(after.max);
+                     largest_strain_text(after);
   if (!report.evolve.method && after.max > k_not_measurable) {
     text += ", near " + point_text(0.5 * (report.processed.positions()[after.worst_edge[0]] +
                                           report.processed.positions()[after.worst_edge[1]]));
   }
   if (std::abs(after.rms - before.rms) > std::max(k_same_strain * before.rms, k_not_measurable))
-    text += "; for the design as it is " + percent_text(before.rms) + " and " +
-            percent_text(before.max);
+    text += std::string("; for the design as it is") +
+            (is_evened_out_alone(report) ? ", with least stretch, " : " ") +
+            percent_text(before.rms) + " and " + largest_strain_text(before);
   return text + ".";
 }
 
@@ -244,38 +275,10 @@ std::string use_sentences(const FlattenReport& report) {
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
       flatness == Flatness::not_known || flatness == Flatness::limit_kept)
     return {};
-  if (!report.evolve.method && flatness == Flatness::stretched)
-    return {};  // the first words say it
-  return " " + takers_text(report.unfold.strain) + unchanged_sentence(report) + way_on(report);
-}
-
-std::string energy_phrase(double before, double after) {
-  const double ratio = before > 0.0 ? after / before : after > 0.0 ? 10.0 : 1.0;
-  if (std::abs(ratio - 1.0) <= k_same_energy) return "left the energy where it was";
-  if (after == 0.0) return "brought the energy to 0";
-  if (ratio < 0.01) {
-    return "brought the energy down to 1/" + about_text(1.0 / ratio) + " of what it was";
-  }
-  if (ratio < 1.0) return "lowered the energy by " + percent_text(1.0 - ratio);
-  if (before == 0.0) return "raised the energy from 0";
-  if (ratio < 2.0) return "raised the energy by " + percent_text(ratio - 1.0);
-  return "raised the energy to " + about_text(ratio) + " times what it was";
-}
-
-std::string strain_phrase(double before, double after) {
-  if (std::abs(after - before) <= std::max(k_same_strain * before, k_not_measurable)) {
-    return "left the strain where it was";
-  }
-  return (after < before ? "lowered the strain from " : "raised the strain from ") +
-         percent_text(before) + " to " + percent_text(after) + " rms";
-}
-
-// Millimetres: hulls and sails are longer than most pieces.
-constexpr double k_absurdly_large = 20'000.0;
-
-/// Of the pattern, millimetres.
-double longer_side(const UnfoldReport& unfold) {
-  return millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
+  const bool is_said =  // by the first words
+      flatness == Flatness::stretched && !report.outcome().misses(Criterion::stretched);
+  return (is_said ? "" : " " + takers_text(report.unfold.strain)) + unchanged_sentence(report) +
+         way_on(report);
 }
 
 /// Whether a designer would take the form; empty where it is that of the design.
@@ -302,6 +305,16 @@ std::string form_sentence(const FlattenReport& report) {
 
 std::string sheet_needed_text(const EdgeStrain& strain) {
   return "Needs a sheet that takes " + percent_text(strain.p99) + ": " + neighbours_text(strain);
+}
+
+std::string largest_strain_text(const EdgeStrain& strain) {
+  return percent_text(strain.max) +
+         (strain.max_compression > strain.max_stretch ? " (compression)" : "");
+}
+
+std::string not_judged_text(const FlattenReport& report) {
+  if (flatness_of(report) != Flatness::not_known) return {};
+  return std::string(words_of(*unjudged_caution(report)));
 }
 
 std::string form_faults(const EvolveReport& evolve) {
@@ -364,24 +377,6 @@ std::string cautions_text(std::span<const Caution> cautions, Unit unit) {
   return text;
 }
 
-bool is_absurdly_small(const UnfoldReport& unfold) {
-  constexpr double smallest = 5.0;  // mm
-  const double size = longer_side(unfold);
-  return size > 0.0 && size < smallest;
-}
-
-std::string unit_question(const UnfoldReport& unfold) {
-  const double size = longer_side(unfold);
-  if (!is_absurdly_small(unfold) && size <= k_absurdly_large) return {};
-  const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
-  const std::vector<Unit> likely = likely_units(size / millimetres_per(unfold.unit), unfold.unit);
-  if (likely.empty()) {
-    return start + "the model's unit really " + std::string(to_string(unfold.unit)) + "?";
-  }
-  const std::string name(to_string(likely.front()));
-  return start + "the model in " + name + "? Then give --unit " + name + ".";
-}
-
 std::string verdict_text(const FlattenReport& report) {
   const std::string cautions = cautions_text(report.cautions, report.unfold.unit);
   std::string text = state_words(report) + form_clause(report) + "." + stretch_sentence(report) +
@@ -392,29 +387,6 @@ std::string verdict_text(const FlattenReport& report) {
   }
   const std::string question = unit_question(report.unfold);
   return question.empty() ? text : text + " " + question;
-}
-
-std::string computed_text(const FlattenReport& report) {
-  const EvolveReport& evolve = report.evolve;
-  const auto& history = evolve.result.history;
-  if (history.empty()) {
-    return evolve.before.flattenable ? "It came so, and no vertex was moved."
-                                     : "No sweep was made, and no vertex was moved.";
-  }
-  const std::string sweeps = count_text(history.size()) + " " + std::string(evolve.method_name()) +
-                             (history.size() == 1 ? " sweep" : " sweeps");
-  const bool nothing_moved = std::all_of(history.begin(), history.end(),
-                                         [](const auto& record) { return record.moved == 0; });
-  if (nothing_moved) return sweeps + " found no vertex to move.";
-  const double energy_before = evolve.before.figures.energy;
-  const double energy_after = evolve.after.figures.energy;
-  const double strain_before = report.design_least_stretch.strain.rms;
-  const double strain_after = report.unfold.strain.rms;
-  const std::string energy = energy_phrase(energy_before, energy_after);
-  const std::string strain = strain_phrase(strain_before, strain_after);
-  const bool apart = (energy_after < energy_before && strain.starts_with("raised")) ||
-                     (energy_after > energy_before && strain.starts_with("lowered"));
-  return sweeps + " " + energy + (apart ? " but " : " and ") + strain + ".";
 }
 
 std::string border_text(const FlattenReport& report) {

@@ -34,6 +34,14 @@ std::string strain_limit_name(const LimitCheck& check, const FlattenReport& repo
 /// materials the stiffest one that takes it and the one before. Plain UTF-8 text.
 std::string sheet_needed_text(const EdgeStrain& strain);
 
+/// The largest |strain|: "5.7 %", or where the sheet is pressed together there "5.7 %
+/// (compression)". Plain UTF-8 text.
+std::string largest_strain_text(const EdgeStrain& strain);
+
+/// Why it cannot be judged whether the surface lies flat, in a few words: "no vertex inside". Empty
+/// where it can.
+std::string not_judged_text(const FlattenReport& report);
+
 /// What came out, in plain words: whether the pattern can be cut, how much it is stretched, and
 /// what became of the form. Plain UTF-8 text; its first sentence is short.
 std::string verdict_text(const FlattenReport& report);

@@ -52,10 +52,11 @@ TEST(Beginning, NeverEndsWithinALetter) {
 }
 
 TEST(Percent, NeverRoundsSomethingToNothing) {
-  EXPECT_EQ(percent(0.0), "0.00 %");
+  EXPECT_EQ(percent(0.0), "0 %");
   EXPECT_EQ(percent(0.076), "7.60 %");
   EXPECT_EQ(percent(0.301), "30.1 %");
-  EXPECT_EQ(percent(3.1e-8), "3.1e-06 %");
+  EXPECT_EQ(percent(3.1e-5), "0.0031 %");
+  EXPECT_EQ(percent(2.6e-16), "0 %") << "rounding";
 }
 
 TEST(Counted, PutsTheNounInItsNumber) {

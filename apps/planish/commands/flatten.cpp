@@ -19,6 +19,7 @@
 #include "flags/scale_flag.h"
 #include "flags/unfold_flags.h"
 #include "flags/units.h"
+#include "flatten/verdict.h"
 #include "model/model_flags.h"
 #include "output/flatten_files.h"
 #include "output/open_page.h"
@@ -202,7 +203,9 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(report, drawn, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-  warn_of_pattern(session, report.unfold);
+  // The text itself asks about the unit of what is far too small or large.
+  const bool is_unit_settled = arguments.has("--unit") || !unit_question(report.unfold).empty();
+  warn_of_pattern(session, report.unfold, is_unit_settled);
   const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
   note_unequal_seams(session, design, report.unfold);
   note_pattern(session, drawn.geometry);

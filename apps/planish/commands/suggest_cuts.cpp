@@ -81,7 +81,8 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   std::string text =
       path + "  (" + size_text(mesh) + ")\n\n" + suggestion_text(suggestion, options, unit);
   if (!files.empty()) text += written_text(files);
-  if (const auto size = unusual_size_text(suggestion.last.pattern, unit)) session.note(*size);
+  const auto size = unusual_size_text(suggestion.last.pattern, unit);
+  if (size && !arguments.has("--unit")) session.note(*size);
   CommandResult outcome = {text, suggestion_json(suggestion, options, unit, paths)};
   session.write(files);
   return outcome;

@@ -155,7 +155,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const Written written = about(path, [&] {
     return written_as(output, name, patch, report, request.output, request.annotations);
   });
-  warn_of_pattern(session, report);
+  warn_of_pattern(session, report, arguments.has("--unit"));
   note_unequal_seams(session, patch, report);
   note_pattern(session, written.pattern);
   const std::vector<OutputFile> files = {{path_of(output), written.content}};

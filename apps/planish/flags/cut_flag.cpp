@@ -153,7 +153,7 @@ void add_cut_graph(RequestedLines& all, const Patch& patch) {
 void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
               const Arguments& arguments) {
   CutLinesOnPatch read =
-      read_cut_lines(path_of(file), patch, arguments.value_or("--smooth-lines", "yes") != "no");
+      read_cut_lines(path_of(file), patch, arguments.text("--smooth-lines", "yes") != "no");
   const ShownLengths lengths(unit_from(arguments));
   const double scale = scale_from(arguments);
   if (read.farthest > 0.0) {
@@ -218,7 +218,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   const std::string file = arguments.text("--cut");
   return about(path, [&]() -> CutInput {
     const ShownLengths lengths(unit_from(arguments));
-    const bool is_through = arguments.value_or("--cut-along", "triangles") == "triangles";
+    const bool is_through = arguments.text("--cut-along", "triangles") == "triangles";
     CutLines along;
     if (!is_through) {
       along = arguments.rows.contains("--cut")

@@ -13,7 +13,9 @@
 #include "draw/text/stroke_text.h"
 #include "platform/path.h"
 #include "shell/session.h"
+#include "shell/text.h"
 #include "shell/values.h"
+#include "text/lengths.h"
 
 namespace planish::cli {
 
@@ -138,6 +140,67 @@ void warn_of_left(Session& session, const fs::path& folder, const std::vector<st
   if (names.empty()) return;
   session.warn(utf8_of(folder) + " still has " + list_of_some(names) +
                " of an earlier run: these are not of this pattern");
+}
+
+namespace {
+
+/// Where a pattern overlaps itself, from its lower left corner; empty where that is not known.
+std::string overlap_text(const UnfoldReport& report) {
+  const auto& overlap = report.overlap;
+  if (!overlap) return {};
+  const ShownLengths lengths(report.unit);
+  const Vec2 middle = 0.5 * (overlap->low + overlap->high);
+  // Crossings that lie on one line make a box without a width.
+  const double least = 0.005 / millimetres_per(report.unit);
+  const auto extent = [&](double low, double high) {
+    return high - low < least ? 0.0 : high - low;
+  };
+  return " around (" + lengths.number(middle.x) + ", " + lengths.text(middle.y) + ") over " +
+         lengths.number(extent(overlap->low.x, overlap->high.x)) + " x " +
+         lengths.text(extent(overlap->low.y, overlap->high.y)) +
+         ", where its border crosses itself " + counted(overlap->crossings, "time");
+}
+
+/// Of a border that crossed itself by a hair.
+std::string opened_text(const UnfoldReport& report) {
+  const OpenedCrossings& opened = *report.pattern.opened;
+  const ShownLengths lengths(report.unit);
+  const Vec2 place = report.pattern.positions[opened.vertex];
+  return "the border of the pattern crossed itself by less than 0.1 mm, " +
+         counted(opened.crossings, "time") + ": vertices were moved apart by up to " +
+         lengths.text(opened.largest_move) + ", most at (" + lengths.number(place.x) + ", " +
+         lengths.text(place.y) + ")";
+}
+
+}  // namespace
+
+void note_plotter_reach(Session& session, const UnfoldReport& report) {
+  constexpr double k_reach = 32767.0 / 40.0;  // millimetres, of 16-bit coordinates
+  const Pattern& pattern = report.pattern;
+  if (millimetres_per(report.unit) * std::max(pattern.width, pattern.height) <= k_reach) return;
+  session.note(
+      "the .plt file reaches beyond 819 mm: plotters whose coordinates have 16 bits cut the "
+      "drawing "
+      "off there");
+}
+
+void warn_of_pattern(Session& session, const UnfoldReport& report, bool is_unit_given) {
+  const Pattern& pattern = report.pattern;
+  if (pattern.overlaps) {
+    session.warn("the pattern overlaps itself" + overlap_text(report) +
+                 ", and gets no seam allowance: cut the patch open before cutting material");
+  }
+  if (pattern.opened) session.note(opened_text(report));
+  if (pattern.flipped_triangles > 0) {
+    session.warn(counted(pattern.flipped_triangles, "triangle") +
+                 " of the pattern are flipped over: do not cut it");
+  }
+  if (!pattern.converged) {
+    session.warn(
+        "laying flat ended before it converged: the pattern may be stretched more than need be");
+  }
+  if (is_unit_given) return;
+  if (const auto size = unusual_size_text(pattern, report.unit)) session.note(*size);
 }
 
 }  // namespace planish::cli

@@ -42,4 +42,11 @@ std::vector<std::string> left_of_earlier_runs(const std::filesystem::path& folde
 void warn_of_left(Session& session, const std::filesystem::path& folder,
                   const std::vector<std::string>& names);
 
+/// Says where a pattern reaches beyond the 16-bit coordinates that many plotters have.
+void note_plotter_reach(Session& session, const UnfoldReport& report);
+
+/// Warns of what makes a pattern unfit for cutting, and notes an unusual size.
+/// @param is_unit_given the unit need not be questioned
+void warn_of_pattern(Session& session, const UnfoldReport& report, bool is_unit_given);
+
 }  // namespace planish::cli

@@ -100,7 +100,7 @@ class ProductRun {
             (nesting ? nesting->text : "") + written_text(files) +
             "Each patch has a folder of its own beside these; patterns lie outer side up.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
-    note_cautions_and_sizes(session_, report_);
+    note_cautions_and_sizes(session_, report_, arguments_.has("--unit"));
     note_words();
     note_patterns();
     note_divided_pages(session_, files, job_.output);

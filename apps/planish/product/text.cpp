@@ -36,10 +36,13 @@ std::string moved_text(const FinishedPatch& patch) {
 }  // namespace
 
 std::string patch_line(const PatchResult& patch) {
-  const std::string name = std::string(patch.outcome().usable() ? "[ok] " : "[no] ") +
-                           left(short_name(patch.name), k_name_width) + " ";
-  const std::string checks = checks_text(patch);
+  const bool is_judged = !patch.finished || patch.finished->not_judged.empty();
+  const std::string mark = !patch.outcome().usable() ? "[no] " : is_judged ? "[ok] " : "[? ] ";
+  const std::string name = mark + left(short_name(patch.name), k_name_width) + " ";
+  std::string checks = checks_text(patch);
   if (!patch.finished) return name + checks;
+  if (!is_judged)
+    checks += (checks.empty() ? "" : "; ") + ("cannot be judged: " + patch.finished->not_judged);
   const UnfoldReport& unfold = patch.finished->unfold;
   const Pattern& pattern = unfold.pattern;
   const auto& twin = patch.finished->twin_of;
@@ -109,7 +112,7 @@ std::string matching_advice(const ProductReport& report) {
 
 }  // namespace
 
-void note_cautions_and_sizes(Session& session, const ProductReport& report) {
+void note_cautions_and_sizes(Session& session, const ProductReport& report, bool is_unit_given) {
   for (const PatchResult& patch : report.patches) {
     if (!patch.finished) continue;
     const UnfoldReport& unfold = patch.finished->unfold;
@@ -120,6 +123,7 @@ void note_cautions_and_sizes(Session& session, const ProductReport& report) {
           "longer or shorter than the other ones; remesh it more evenly, or divide it");
     if (!patch.finished->cautions.empty())
       session.note(patch.name + ": " + patch.finished->cautions);
+    if (is_unit_given) continue;
     if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
       session.note(patch.name + ": " + *size);
   }

@@ -16,8 +16,9 @@ std::string patch_line(const PatchResult& patch);
 /// first.
 std::string pieces_text(const ProductReport& report);
 
-/// Notes what the mesh of each patch cannot show, and patterns of an unusual size.
-void note_cautions_and_sizes(Session& session, const ProductReport& report);
+/// Notes what the mesh of each patch cannot show, and patterns of an unusual size, unless the unit
+/// was given.
+void note_cautions_and_sizes(Session& session, const ProductReport& report, bool is_unit_given);
 
 /// How many patches were made from others; empty where none was.
 std::string twins_text(const ProductReport& report);

@@ -61,8 +61,10 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string percent(double share) {
+  constexpr double not_measurable = 1e-6;  // of strain, as everywhere
+  if (std::abs(share) < not_measurable) return "0 %";
   const double value = 100.0 * share;
-  if (value != 0.0 && std::abs(value) < 0.01) return digits(value, 2) + " %";
+  if (std::abs(value) < 0.01) return digits(value, 2) + " %";
   return fixed(value, std::abs(value) < 10.0 ? 2 : 1) + " %";
 }
 

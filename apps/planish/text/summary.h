@@ -50,14 +50,8 @@ void note_memory(Session& session, const Method& method, std::size_t vertices);
 /// Warns that one of several methods failed.
 void warn_of_method(Session& session, const Method& method, const Failure& failure);
 
-/// Says where a pattern reaches beyond the 16-bit coordinates that many plotters have.
-void note_plotter_reach(Session& session, const UnfoldReport& report);
-
 /// Says what the mesh of one of several files cannot show.
 void note_cautions(Session& session, const std::string& path, std::span<const Caution> cautions,
                    Unit unit);
-
-/// Warns of what makes a pattern unfit for cutting.
-void warn_of_pattern(Session& session, const UnfoldReport& report);
 
 }  // namespace planish::cli

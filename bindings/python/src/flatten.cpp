@@ -16,6 +16,7 @@
 #include "flatten/verdict.h"
 #include "job.h"
 #include "keywords.h"
+#include "output/pattern_notes.h"
 #include "pattern_data.h"
 #include "pickle.h"
 #include "platform/path.h"
@@ -62,7 +63,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     options.keep = named_vertices(pattern.annotations);
     FlattenReport report = flatten(patch, data.name, options, session.job_context({}));
-    cli::warn_of_pattern(session, report.unfold);
+    cli::warn_of_pattern(session, report.unfold, arguments.has("--unit"));
     cli::note_cautions(session, data.name, report.cautions, cli::unit_from(arguments));
     const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
     cli::note_unequal_seams(session, design, report.unfold);
@@ -88,7 +89,7 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context({}));
     cli::note_cautions(session, data.name, cautions, request.unit);
-    cli::warn_of_pattern(session, report);
+    cli::warn_of_pattern(session, report, arguments.has("--unit"));
     cli::note_unequal_seams(session, patch, report);
     return UnfoldResult{data.name,           patch,    std::move(report), pattern,
                         std::move(cautions), input.cut};

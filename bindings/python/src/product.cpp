@@ -85,7 +85,7 @@ ProductResult flatten_patches(
     made.report = flatten_product(patches, product, {.on_report = keep}, session.job_context({}));
     made.report.seams =
         cli::with_names(std::move(made.report.seams), made.report.patches, input.seams, session);
-    cli::note_cautions_and_sizes(session, made.report);
+    cli::note_cautions_and_sizes(session, made.report, asked.has("--unit"));
     return made;
   });
   result.notes = job.notes();

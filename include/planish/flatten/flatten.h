@@ -86,6 +86,8 @@ struct Outcome {
 
   /// Whether nothing that was asked for is missed: up to Criterion::rejected.
   bool limits_met() const;
+  /// Whether that is among what is missed.
+  bool misses(Criterion what) const;
   /// Whether the pattern can be cut as it is: nothing is missed.
   bool usable() const { return missed.empty(); }
   /// Whether e_max is at the target; without one, whether it is 0 but for rounding.

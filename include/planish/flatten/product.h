@@ -74,6 +74,8 @@ struct FinishedPatch {
   std::vector<LimitCheck> limits = {};      ///< every limit and target that was asked for
   std::vector<FormFault> form_faults = {};  ///< what is wrong with the form
   std::string cautions = {};  ///< what the mesh cannot show, in sentences; empty for none
+  /// Why it cannot be judged whether the piece lies flat: "no vertex inside"; empty where it can.
+  std::string not_judged = {};
 
   /// As of the report that it is made of.
   Outcome outcome() const;

@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -44,12 +45,13 @@ double rms_limit_of(const Auto& options) {
   return has_default ? k_unmeasurable_strain : options.limits.rms;
 }
 
-/// Whether the pattern is strained as little as was asked for.
+/// Whether the pattern is strained as little as was asked for; within a tolerance, by as much as
+/// that leaves.
 bool keeps_limits(const FlattenReport& report) {
   if (!report.unfold.limits.empty()) return all_kept(report.unfold.limits);
   const Auto* options = report.evolve.auto_options();
   if (options == nullptr || options->prefer != Prefer::smooth) return true;
-  return report.evolve.result.stop == StopReason::strain_met;
+  return report.evolve.result.stop == StopReason::strain_met || !std::isinf(options->max_deviation);
 }
 
 Candidate design_of(const FlattenReport& report) {

@@ -10,6 +10,7 @@
 
 #include "core/figure_text.h"
 #include "core/number_text.h"
+#include "flatten/outcome.h"
 #include "flatten/strain_limit_text.h"
 #include "flatten/verdict.h"
 
@@ -147,7 +148,10 @@ std::string product_verdict(const ProductReport& report) {
   for (const PatchResult& piece : report.patches) {
     if (!piece.finished) continue;
     const EdgeStrain& strain = piece.finished->unfold.strain;
-    has_limits = has_limits || !piece.finished->limits.empty();
+    const std::vector<LimitCheck>& limits = piece.finished->limits;
+    has_limits = has_limits || std::any_of(limits.begin(), limits.end(), [](const auto& limit) {
+                   return is_of_strain(limit.what);
+                 });
     is_changed = is_changed || piece.finished->deviation.max != 0.0;
     if (worst == nullptr || strain.p99 > most.p99) worst = &piece;
     for (double EdgeStrain::*figure : k_figures)
@@ -158,7 +162,8 @@ std::string product_verdict(const ProductReport& report) {
   if (has_limits) return form;
   const std::string sheet = is_too_small_to_measure(most)
                                 ? "Every piece lies flat but for a stretch too small to measure"
-                                : sheet_needed_text(most) + ". " + worst->name + " stretches most";
+                                : sheet_needed_text(most) + ". " + worst->name +
+                                      " stretches most. No limit of stretch was given";
   return sheet + "." + (form.empty() ? "" : " " + form);
 }
 

@@ -19,8 +19,9 @@ struct PieceCheck {
 /// has comes first. Empty where nothing was asked for and nothing is wrong.
 std::vector<PieceCheck> piece_checks(const PatchResult& piece);
 
-/// What sheet takes all finished pieces, where no limit was asked for, which piece needs most, and
-/// whether no form was changed. Plain UTF-8 text, sentences; empty where there is nothing to say.
+/// What sheet takes all finished pieces, where no limit of strain was given, which piece needs
+/// most, and whether no form was changed. Plain UTF-8 text, sentences; empty where there is nothing
+/// to say.
 std::string product_verdict(const ProductReport& report);
 
 /// "front - back", or of one piece "two sides of sleeve". Plain text.

@@ -328,7 +328,8 @@ FinishedPatch finished_patch(const FlattenReport& report) {
                       report.rejected,
                       limit_checks(report),
                       find_form_faults(report.evolve),
-                      cautions_text(report.cautions, report.unfold.unit)};
+                      cautions_text(report.cautions, report.unfold.unit),
+                      not_judged_text(report)};
   patch.unfold.pattern.unmatched_least_stretch.clear();
   patch.unfold.pattern.least_stretch.clear();
   return patch;

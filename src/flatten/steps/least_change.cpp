@@ -239,13 +239,19 @@ class SearchWithin {
     if (stop_ != StopReason::strain_met)
       search(held_goes_on * (idle_ - best_->unfold.strain.rms), tolerance_.distance,
              [](const Tolerance::Use& use) { return use.most(); });
-    best_->evolve.result.stop = stop_;
+    best_->evolve.result.stop = stop_ == StopReason::strain_met ? stop_ : end_of_best();
     return std::move(*best_);
   }
 
  private:
   Tolerance::Use use(const std::vector<Vec3>& positions) const {
     return tolerance_.use(design_, runs_.bending, positions);
+  }
+
+  /// What it has most of that it may have.
+  StopReason end_of_best() const {
+    const Tolerance::Use used = use(positions_of(*best_));
+    return used.distance >= used.form ? StopReason::deviation_limit : StopReason::smooth_limit;
   }
 
   /// In one family.

@@ -150,6 +150,8 @@ class SeamChoice {
     ExactSeams& exact = by_patches_[patches_of(curve.seam)];
     const Overlap overlap = overlap_of(curve, exact);
     if (!overlap.is_any() && is_sewn(curve.edges[0]) && is_sewn(curve.edges[1])) return;
+    // It runs past a dart in one side, whose legs are a seam of their own.
+    if (is_sewn(curve.edges[0], 1.0) && is_sewn(curve.edges[1], 1.0)) return;
     const bool divides_it = overlap.inside.size() > 1 && !overlap.has_other;
     if (overlap.is_any() && !divides_it && !leaves_a_seam(curve, overlap.matched)) return;
     for (Exact* other : overlap.inside)
@@ -199,13 +201,12 @@ class SeamChoice {
     exact.has_no_strays = true;
   }
 
-  /// Whether nearly all of the edges are in seams with equal vertices: then what lies beside them
-  /// is another layer.
-  bool is_sewn(const std::vector<std::size_t>& edges) const {
-    constexpr double k_nearly_all = 0.9;
+  /// Whether so many of the edges are in seams with equal vertices: where nearly all are, what lies
+  /// beside them is another layer.
+  bool is_sewn(const std::vector<std::size_t>& edges, double share = 0.9) const {
     const auto count =
         std::count_if(edges.begin(), edges.end(), [&](std::size_t edge) { return sewn_[edge]; });
-    return static_cast<double>(count) >= k_nearly_all * static_cast<double>(edges.size());
+    return static_cast<double>(count) >= share * static_cast<double>(edges.size());
   }
 
   /// Seams with equal vertices along a curve.

@@ -63,7 +63,7 @@ std::vector<Shown> shown_candidates(const FlattenReport& report) {
 std::string stretch_words(const EdgeStrain& strain) {
   constexpr double not_measurable = 1e-6;
   if (strain.max < not_measurable) return "No stretch.";
-  return "Stretch " + percent_text(strain.max) + " at most, " + percent_text(strain.rms) +
+  return "Stretch " + largest_strain_text(strain) + " at most, " + percent_text(strain.rms) +
          " as a rule.";
 }
 

@@ -112,8 +112,10 @@ std::string pattern_section(const UnfoldReport& as_designed, const UnfoldReport&
   section.row("Strain, worst edge", "the place that the material suffers most", percent_text,
               least.max, strain.max, small);
   const Pattern &before = as_designed.pattern, &after = unfold.pattern;
-  section.row("Pattern size", "width × height, in " + std::string(to_string(unfold.unit)),
-              [](double value) { return significant_text(value, 4); },
+  const bool in_inches = unfold.unit == Unit::in;
+  const double shown = in_inches ? 1.0 : millimetres_per(unfold.unit);
+  section.row("Pattern size", std::string("width × height, in ") + (in_inches ? "in" : "mm"),
+              [shown](double value) { return significant_text(shown * value, 4); },
               {before.width, before.height}, {after.width, after.height});
   section.row("Area ratio", "area of the pattern over area of the patch",
               [](double value) { return decimals_text(value, 4); }, before.area_ratio,
@@ -194,7 +196,8 @@ void add_fairness(Section& section, const EvolveReport& report) {
 std::string figures_table(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   Section form("Form: what it cost");
-  add_moves(form, evolve, with_unit(" " + std::string(to_string(report.unfold.unit))));
+  add_moves(form, evolve,
+            [unit = report.unfold.unit](double value) { return length_text(value, unit, 3); });
   add_fairness(form, evolve);
   return "<table>\n<thead><tr><th scope=\"col\">Figure</th><th scope=\"col\">Before</th>"
          "<th scope=\"col\">After</th><th scope=\"col\">Change</th></tr></thead>\n" +

@@ -57,6 +57,7 @@ std::string tiles(const FlattenReport& report, const PatternGeometry& drawn,
                   const FlattenPage& page) {
   const EdgeStrain& before = report.design_pattern.strain;
   const EdgeStrain& after = report.unfold.strain;
+  const bool is_compressed = after.max_compression > after.max_stretch;
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
   const Unit unit = report.unfold.unit;
@@ -69,8 +70,8 @@ std::string tiles(const FlattenReport& report, const PatternGeometry& drawn,
     area = size_text(cut_size.x, cut_size.y, unit) + " with the allowance; " + area;
   }
   return "<dl class=\"tiles\">\n" +
-         tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
-              limit_mark(report, Criterion::strain)) +
+         tile(is_compressed ? "Largest compression" : "Largest stretch", percent_text(after.max),
+              largest_strain_text(before) + " before", limit_mark(report, Criterion::strain)) +
          tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
               limit_mark(report, Criterion::rms_strain)) +
          tile("Furthest move", length_text(deviation.max, unit),
@@ -102,11 +103,12 @@ std::vector<std::string> flatness_checks(const FlattenReport& report) {
     items.push_back(flatness_of(report) == Flatness::limit_missed
                         ? neutral_mark("a stretch too small to measure, but for some places")
                         : mark(true, "flat but for a stretch too small to measure"));
-  else if (!report.evolve.method)
-    items.push_back(
-        neutral_mark("needs a sheet that takes " + percent_text(report.unfold.strain.p99)));
+  else if (report.outcome().misses(Criterion::stretched))
+    items.push_back(mark(false, stretched));
   else
-    items.push_back(items.empty() ? mark(false, stretched) : neutral_mark(stretched));
+    items.push_back(neutral_mark(items.empty() ? "needs a sheet that takes " +
+                                                     percent_text(report.unfold.strain.p99)
+                                               : stretched));
   return items;
 }
 

@@ -10,6 +10,7 @@
 #include "draw/text/markup_text.h"
 #include "flatten/product/piece_verdict.h"
 #include "flatten/twin_report.h"
+#include "flatten/verdict.h"
 #include "report/page/html_parts.h"
 #include "report/pictures/patch_view.h"
 #include "report/pictures/piece_outline.h"
@@ -54,7 +55,9 @@ std::string sentence_on(const PatchResult& piece) {
     text += (text.empty() ? "" : "; ") + check.text;
   }
   std::string text = missed.empty() ? kept : missed;
-  if (text.empty()) return "No limit was asked for.";
+  if (piece.finished && !piece.finished->not_judged.empty() && missed.empty())
+    return "Cannot be judged: " + piece.finished->not_judged + ".";
+  if (text.empty()) return "No limit was given.";
   if (text.back() != '.') text += '.';
   return capital(text);
 }
@@ -62,7 +65,7 @@ std::string sentence_on(const PatchResult& piece) {
 /// What the pattern and the form cost, plain text.
 std::string cost_of(const FinishedPatch& piece) {
   const EdgeStrain& strain = piece.unfold.strain;
-  return " The pattern stretches " + percent_text(strain.max) + " at most, " +
+  return " The pattern stretches " + largest_strain_text(strain) + " at most, " +
          percent_text(strain.rms) + " rms. " +
          (piece.deviation.max == 0.0
               ? "The form is the design's."
@@ -131,9 +134,11 @@ std::string facts_of(const PatchResult& piece) {
 std::string tile_of(const ProductReport& report, std::size_t p, const std::string& link) {
   const PatchResult& piece = report.patches[p];
   const bool met = piece.outcome().usable();
+  const bool is_judged = !piece.finished || piece.finished->not_judged.empty();
   const std::string small = facts_of(piece);
-  const std::string mark =
-      met ? "<span class=\"met\">\u2713</span> " : "<span class=\"missed\">\u2717</span> ";
+  const std::string mark = !met        ? "<span class=\"missed\">\u2717</span> "
+                           : is_judged ? "<span class=\"met\">\u2713</span> "
+                                       : "<span class=\"neutral\">\u2022</span> ";
   return std::string("<li") + (met ? "" : " class=\"lacking\"") + ">" + views_of(report, p) +
          "<h3>" + mark + escape_markup(piece.name) +
          (small.empty() ? "" : "<small>" + escape_markup(small) + "</small>") + "</h3><p>" +
@@ -230,6 +235,10 @@ std::string pieces_words(const ProductReport& report) {
   const auto missing = static_cast<std::size_t>(
       std::count_if(report.patches.begin(), report.patches.end(),
                     [](const PatchResult& piece) { return !piece.outcome().usable(); }));
+  const bool has_limit = std::any_of(
+      report.patches.begin(), report.patches.end(),
+      [](const PatchResult& piece) { return piece.finished && !piece.finished->limits.empty(); });
+  if (missing == 0 && !has_limit) return {};
   if (missing == 0)
     return (all == 1   ? "The piece is"
             : all == 2 ? "Both pieces are"
@@ -238,11 +247,6 @@ std::string pieces_words(const ProductReport& report) {
   return count_text(missing) + " of " + count_text(all) +
          (missing == 1 ? " pieces needs a look, and is shown first."
                        : " pieces need a look, and are shown first.");
-}
-
-std::string sheet_words(const ProductReport& report) {
-  const std::string verdict = product_verdict(report);
-  return verdict.empty() ? "" : " " + verdict;
 }
 
 std::string near_words(const ProductReport& report) {
@@ -270,17 +274,20 @@ std::string seams_words(const ProductReport& report) {
          near_words(report);
 }
 
+std::string verdict_of(const ProductReport& report) {
+  const std::string pieces = pieces_words(report), sheet = product_verdict(report);
+  return pieces + (pieces.empty() || sheet.empty() ? "" : " ") + sheet + seams_words(report);
+}
+
 }  // namespace
 
 std::string html_report(const ProductReport& report, const ProductPage& page) {
   std::string tiles = "<ol class=\"pieces\">\n";
   for (const std::size_t p : missed_first(report))
     tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
-  return html_page({.kind = "product",
-                    .name = page.name,
-                    .verdict = pieces_words(report) + sheet_words(report) + seams_words(report),
-                    .style = k_style},
-                   tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
+  return html_page(
+      {.kind = "product", .name = page.name, .verdict = verdict_of(report), .style = k_style},
+      tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
 }
 
 }  // namespace planish

@@ -33,7 +33,7 @@ TEST(LimitChecks, CompareWithWhatCameOut) {
   EXPECT_EQ(checks[2].what, Criterion::e_max);
   EXPECT_TRUE(checks[2].met);
   EXPECT_EQ(limit_text(checks[0], Unit::mm), "at most 32\u00A0%");
-  EXPECT_EQ(limit_text(checks[1], Unit::cm), "at most 0.500 cm");
+  EXPECT_EQ(limit_text(checks[1], Unit::cm), "at most 5.00\u00A0mm");
 }
 
 TEST(LimitChecks, HaveStretchAndCompressionApart) {

@@ -83,6 +83,43 @@ TEST(Verdict, SaysOfADesignThatIsKeptWhatSheetTakesIt) {
   EXPECT_THAT(verdict(overlapping), StartsWith("Do not cut this pattern: it overlaps itself."));
 }
 
+TEST(Verdict, CallsALargestStretchThatIsACompressionSo) {
+  FlattenReport some = design_with(0.08, 0.033);
+  some.unfold.strain.max_stretch = 0.06;
+  EXPECT_THAT(verdict(some), HasSubstr("the largest 12 % (compression), near ("));
+}
+
+/// Of a form that was changed within a tolerance of 5 mm.
+FlattenReport within_tolerance(double moved, double fold, double bent) {
+  FlattenReport some = report();
+  some.evolve.method = Auto{.max_deviation = 5.0};
+  some.evolve.result.stop = StopReason::smooth_limit;
+  some.evolve.deviation.max = moved;
+  some.evolve.fairness.bending_added = bent;
+  some.evolve.fairness.sharpest_fold = Fold{.degrees = fold};
+  return some;
+}
+
+TEST(Verdict, SaysWhatEndsASearchWithinATolerance) {
+  EXPECT_THAT(verdict(within_tolerance(4.2, 4.95, 0.01)),
+              AllOf(StartsWith("Needs a sheet that takes "),
+                    HasSubstr(" Less would fold some place by more than 5 degrees beyond the "
+                              "design, which --max-deviation does not allow: ")));
+  EXPECT_THAT(verdict(within_tolerance(2.0, 3.0, 0.049)), HasSubstr(" Less would bend the form "));
+  EXPECT_THAT(verdict(within_tolerance(4.99, 3.0, 0.01)),
+              HasSubstr(" Less would move some place further than --max-deviation allows."));
+  EXPECT_THAT(verdict(within_tolerance(2.0, 3.0, 0.01)),
+              HasSubstr(" No form with less stretch was found within --max-deviation."));
+}
+
+TEST(Verdict, SaysOfWhichPatternTheFiguresOfTheDesignAre) {
+  FlattenReport some = with_strain(0.12, 0.0085);
+  some.unfold.limits = {{Criterion::p99_strain, 0.1, 0.018}};
+  some.unfold.unlimited_strain = some.unfold.strain;
+  EXPECT_THAT(verdict(some),
+              HasSubstr("; for the design as it is, with least stretch, 12 % and 32 %. "));
+}
+
 TEST(Verdict, SaysWhyTheDesignWasKept) {
   FlattenReport some = report();
   some.rejected = EdgeStrain{.max = 0.5, .rms = 0.084, .p99 = 0.2};

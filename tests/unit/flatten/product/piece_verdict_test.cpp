@@ -111,6 +111,20 @@ TEST(PieceVerdict, SaysWhenTheDesignWasKept) {
   EXPECT_THAT(texts_of(piece).front(), testing::HasSubstr("to 8\u00A0% rms: the design was kept"));
 }
 
+TEST(ProductVerdict, SaysWhatSheetItNeedsAndThatNoLimitWasGiven) {
+  ProductReport report;
+  report.patches = {finished()};
+  FinishedPatch& piece = *report.patches.front().finished;
+  piece.unfold.strain = {.max = 0.12, .rms = 0.03, .p99 = 0.08};
+  piece.limits = {{Criterion::deviation, 1.0, 0.5, true}};
+  EXPECT_THAT(product_verdict(report),
+              testing::AllOf(testing::StartsWith("Needs a sheet that takes 8.0\u00A0%: "),
+                             testing::EndsWith("front stretches most. No limit of stretch was "
+                                               "given. No form was changed.")));
+  piece.limits.push_back({Criterion::p99_strain, 0.1, 0.08, true});
+  EXPECT_EQ(product_verdict(report), "No form was changed.");
+}
+
 TEST(PieceVerdict, SaysWhichSideOfASeamIsLonger) {
   ProductReport report;
   report.patches = {{"front"}, {"back"}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <planish/mesh/cut.h>
 #include <planish/mesh/seams.h>
 
 #include <gtest/gtest.h>
@@ -74,6 +75,32 @@ TEST(Seams, AreFoundWhereAPatchMeetsItself) {
   EXPECT_EQ(seams[0].sides[0].patch, seams[0].sides[1].patch);
   EXPECT_EQ(seams[0].sides[0].vertices.size(), 9U);
   expect_same_places(seams[0], vase, 0.0);
+}
+
+// Of a cut with a short branch in the middle: a curve along the cut would have both legs of the
+// branch in one of its sides.
+TEST(Seams, HaveTheLegsOfADartOnlyOnce) {
+  constexpr Index columns = 20, rows = 24, width = columns + 1;
+  const Patch grid(meshes::rough_grid(columns, rows, 5));
+  CutPath cut, branch;
+  for (Index j = 0; j <= rows; ++j)
+    cut.vertices.push_back(j * width + 10);
+  for (Index i = 10; i <= 12; ++i)
+    branch.vertices.push_back(12 * width + i);
+  const std::vector<TriMesh> patches = [&] {
+    const TriMesh mesh = cut_open(grid, std::vector{cut, branch}).mesh;
+    std::vector<TriMesh> meshes;
+    for (NamedPatch& patch : split(mesh, "cut"))
+      meshes.push_back(std::move(patch.mesh));
+    return meshes;
+  }();
+  ASSERT_EQ(patches.size(), 2U);
+  const auto seams = find_seams(patches);
+  ASSERT_EQ(seams.size(), 3U) << "above and below the branch, and the branch";
+  for (const Seam& seam : seams) {
+    EXPECT_FALSE(seam.is_curve());
+    expect_same_places(seam, patches, 0.0);
+  }
 }
 
 TEST(Seams, AreFoundForEveryTwoOfSeveralPages) {

@@ -138,7 +138,7 @@ TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
   EXPECT_THAT(page, HasSubstr("<span class=\"met\">✓ fits &lt;a&gt; roll</span>"));
   EXPECT_THAT(page, HasSubstr("<dd>&lt;a&gt; roll; half</dd>"));
   EXPECT_THAT(page, HasSubstr("<span class=\"met\">✓ at most 50\u00A0%</span>"));
-  EXPECT_THAT(page, HasSubstr("<span class=\"missed\">✗ at most 0.500 mm</span>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"missed\">✗ at most 0.500\u00A0mm</span>"));
   EXPECT_THAT(page,
               HasSubstr("<li><span class=\"met\">✓ within the limit of 50\u00A0%</span></li>"));
   EXPECT_THAT(page, HasSubstr("<span class=\"neutral\">• does not lie flat without stretch</span>"))

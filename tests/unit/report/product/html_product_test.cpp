@@ -62,6 +62,22 @@ TEST(HtmlProduct, ShowsWhatIsMissedFirst) {
   EXPECT_THAT(html, HasSubstr("<p>Failed: no such file.</p>"));
 }
 
+TEST(HtmlProduct, SaysNothingIsAsAskedForWhereNothingWasAskedFor) {
+  ProductReport report = product();
+  report.patches.pop_back();
+  EXPECT_THAT(page(report), HasSubstr("All 3 pieces are as asked for."));
+  for (PatchResult& piece : report.patches) {
+    piece.finished->limits.clear();
+    piece.finished->deviation = {};
+  }
+  report.patches.front().finished->not_judged = "no vertex inside";
+  const std::string html = page(report);
+  EXPECT_THAT(html, Not(HasSubstr("as asked for")));
+  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 2U);
+  EXPECT_THAT(html, HasSubstr("<span class=\"neutral\">\u2022</span>"));
+  EXPECT_THAT(html, HasSubstr("Cannot be judged: no vertex inside."));
+}
+
 TEST(HtmlProduct, ColoursBothSidesOfASeamAlikeWithOneNumber) {
   const std::string html = page();
   ASSERT_EQ(product().seams.size(), 2U);

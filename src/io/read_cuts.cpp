@@ -56,8 +56,13 @@ void check_triangles(const TriMesh& mesh) {
   if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
 }
 
+/// Triangles that all shortest ways together may look at: some seconds.
+constexpr std::size_t k_most_looked_at = 10'000'000;
+
 /// From vertex to vertex, along an edge or the shortest way over the surface.
-SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t number) {
+/// @param looked_at is counted up
+SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t number,
+                         std::size_t& looked_at) {
   const auto refuse = [&](const std::string& message, Index v) {
     SourceLocation place = path.place;
     place.first = v;
@@ -73,8 +78,16 @@ SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t nu
     if (ends[0] == ends[1]) continue;
     const auto ring = patch.ring(ends[0]);
     SurfaceLine part = line_along_edges(patch, ends);
-    if (std::find(ring.begin(), ring.end(), ends[1]) == ring.end())
+    if (std::find(ring.begin(), ring.end(), ends[1]) == ring.end()) {
+      looked_at += patch.triangles().size();
+      if (looked_at > k_most_looked_at) {
+        throw Error(ErrorCode::too_large,
+                    "cut " + std::to_string(number + 1) +
+                        " is one too many: name every vertex along the lines, or draw them",
+                    path.place);
+      }
       part = geodesic(patch, part[0], part[1]).points;
+    }
     line.insert(line.end(), part.begin() + 1, part.end());
   }
   if (line.size() < 2) {
@@ -150,8 +163,9 @@ CutLines cuts_in(const Rows& rows, const TriMesh& mesh) {
 CutLinesOnPatch cut_lines_in(const Rows& rows, const Patch& patch) {
   const CutLines listed = cuts_in(rows, patch.mesh());
   CutLinesOnPatch cuts;
+  std::size_t looked_at = 0;
   for (std::size_t k = 0; k < listed.paths.size(); ++k) {
-    cuts.lines.push_back(line_through(patch, listed.paths[k], k));
+    cuts.lines.push_back(line_through(patch, listed.paths[k], k, looked_at));
     cuts.places.push_back(listed.paths[k].place);
   }
   return cuts;

@@ -79,13 +79,17 @@ TEST_F(Cut, TakesADrawing) {
   write_text("seam.obj", "v 1.1 0 0\nv 1 0 5.2\nl 1 2\n");
   const CliResult result = planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.obj"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("what is drawn is at most 0.200 mm from the vertices"));
+  EXPECT_THAT(result.err, HasSubstr("what is drawn is at most 0.200 mm from the surface"));
+  const CliResult along =
+      planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.obj", "--cut-along", "edges"});
+  EXPECT_THAT(along.err, HasSubstr("what is drawn is at most 0.200 mm from the vertices"));
 }
 
 TEST_F(Cut, WithADartGivesAPatternOfLessStrain) {
   const auto whole = flatten_with("hill.obj", {"--json"}).json();
   EXPECT_FALSE(whole.contains("cut"));
-  const CliResult result = flatten_with("hill.obj", {"--json", "--cut", "dart.txt"});
+  const CliResult result =
+      flatten_with("hill.obj", {"--json", "--cut", "dart.txt", "--cut-along", "edges"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   const auto json = result.json();
   EXPECT_EQ(json["cut"]["edges"], 4);
@@ -96,8 +100,9 @@ TEST_F(Cut, WithADartGivesAPatternOfLessStrain) {
 
 TEST_F(Cut, KeepsNumbersForOtherFlags) {
   write_text("top.txt", "58\n");
-  const CliResult result = planish({"evolve", "hill.obj", "-o", "a.obj", "--cut", "dart.txt",
-                                    "--fix", "top.txt", "--sweeps", "2", "--json"});
+  const CliResult result =
+      planish({"evolve", "hill.obj", "-o", "a.obj", "--cut", "dart.txt", "--cut-along", "edges",
+               "--fix", "top.txt", "--sweeps", "2", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_EQ(result.json()["cut"]["edges"], 4);
   const TriMesh before = read_mesh("hill.obj").mesh, after = read_mesh("a.obj").mesh;
@@ -130,8 +135,8 @@ TEST_F(Cut, MakesPiecesThatTheMakerNames) {
 }
 
 TEST_F(Cut, ThroughThePatchMakesAProduct) {
-  const CliResult result =
-      flatten_with("hill.obj", {"--json", "--cut", "across.txt", "--match-seams"});
+  const CliResult result = flatten_with(
+      "hill.obj", {"--json", "--cut", "across.txt", "--cut-along", "edges", "--match-seams"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err, HasSubstr("hill.obj: the cut makes 2 patches"));
   const auto json = result.json();
@@ -172,6 +177,49 @@ TEST_F(Cut, GoesWithOnePatchOnly) {
   EXPECT_EQ(result.exit_code, k_exit_usage);
   EXPECT_THAT(result.err, HasSubstr("--cut goes with one patch only"));
   EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+TEST_F(Cut, GoesThroughTriangles) {
+  // Not along any edge of the grid, and 0.3 short of its upper side.
+  write_text("line.obj", "v 3.3 -9 1\nv 4.7 7.7 1\nl 1 2\n");
+  const CliResult result = flatten_with("hill.obj", {"--json", "--cut", "line.obj"});
+  EXPECT_EQ(result.exit_code, k_exit_failed) << "its ends are more than three edges away";
+  write_text("line.obj", "v 3.3 -0.5 2.2\nv 4.7 7.7 2.4\nl 1 2\n");
+  const CliResult cut = flatten_with("hill.obj", {"--json", "--cut", "line.obj"});
+  EXPECT_EQ(cut.exit_code, k_exit_done) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("the end of line.obj:3 is"));
+  EXPECT_THAT(cut.err, HasSubstr("from the border; joined"));
+  const auto json = cut.json();
+  ASSERT_EQ(json["patches"].size(), 2U);
+  ASSERT_EQ(json["seams"].size(), 1U);
+  EXPECT_GT(json["seams"][0]["sides"][0]["vertices"], 9);
+}
+
+TEST_F(Cut, TakesPlanesCreasesAndACutGraph) {
+  const auto pieces = [](const std::string& input, const Names& cuts) {
+    Names more = {"--json"};
+    for (const std::string& cut : cuts)
+      more.insert(more.end(), {"--cut", cut});
+    const CliResult result = flatten_with(input, more);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    return result.json().contains("patches") ? result.json()["patches"].size() : 1U;
+  };
+  EXPECT_EQ(pieces("hill.obj", {"plane x=6.3"}), 2U);
+  EXPECT_EQ(pieces("hill.obj", {"plane x=6.3", "plane y=0.4cm"}), 4U);
+  EXPECT_EQ(pieces("tube.obj", {"open"}), 1U);
+  write_mesh("roof.obj",
+             meshes::height_field(8, 6, [](double x, double) { return 4.0 - std::abs(x - 4.0); }));
+  EXPECT_EQ(pieces("roof.obj", {"creases 60deg"}), 2U);
+  write_mesh("ring.obj", meshes::torus(12, 24));
+  const CliResult ring = planish({"unfold", "ring.obj", "-o", "a.svg", "--cut", "open"});
+  EXPECT_EQ(ring.exit_code, k_exit_done) << ring.err;
+  const auto error_of = [](const std::string& cut) {
+    return planish({"unfold", "hill.obj", "-o", "a.svg", "--cut", cut}).err;
+  };
+  EXPECT_THAT(error_of("plane w=1"), HasSubstr("a plane is \"plane x=0\""));
+  EXPECT_THAT(error_of("plane x=99"), HasSubstr("the plane does not meet the mesh"));
+  EXPECT_THAT(error_of("creases 170deg"), HasSubstr("has no creases of 170deg"));
+  EXPECT_THAT(error_of("creases 0"), HasSubstr("--cut creases"));
 }
 
 TEST_F(Cut, NumbersTheSidesOfADart) {
@@ -249,9 +297,9 @@ TEST_F(SuggestCuts, RefusesWhatMakesNoSense) {
   EXPECT_EQ(code_of({"--picture", "a.png"}), k_exit_failed);
   EXPECT_EQ(code_of({"--apply", "a.txt"}), k_exit_failed);
   write_mesh("ring.obj", meshes::torus(8, 12));
-  const auto error = planish({"suggest-cuts", "ring.obj", "--json"}).json()["error"];
-  EXPECT_EQ(error["code"], "handles");
-  EXPECT_EQ(error["path"], "ring.obj");
+  const CliResult ring = planish({"suggest-cuts", "ring.obj", "--max-cuts", "0", "--json"});
+  ASSERT_EQ(ring.json()["cuts"].size(), 2U) << "a handle needs two";
+  EXPECT_EQ(ring.json()["cuts"][1]["kind"], "seam");
 }
 
 TEST_F(SuggestCuts, CanBeInterrupted) {

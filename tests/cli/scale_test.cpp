@@ -100,8 +100,8 @@ TEST_F(Scale, LeavesDrawingsInTheCoordinatesOfTheFile) {
   const CliResult result = planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.obj",
                                     "--marks", "mark.obj", "--json", "--scale", "100"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("seam.obj: cut open along 5 edges, 500.0 mm"));
-  EXPECT_THAT(result.err, HasSubstr("at most 20.0 mm from the vertices"));
+  EXPECT_THAT(result.err, HasSubstr("seam.obj: cut open along 6 edges, 500.0 mm"));
+  EXPECT_THAT(result.err, HasSubstr("at most 20.0 mm from the surface"));
   EXPECT_EQ(result.json()["cut"]["length"], 500.0);
 }
 

@@ -165,7 +165,8 @@ Command evolve_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
         csv_flag(),
         output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
-  groups.push_back(cut_flags());
+  for (Flag& flag : cut_flags())
+    groups.front().flags.push_back(std::move(flag));
   groups.push_back(model_flags());
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));

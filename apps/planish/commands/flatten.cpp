@@ -292,7 +292,8 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
-  groups.push_back(cut_flags());
+  for (Flag& flag : cut_flags())
+    groups.front().flags.push_back(std::move(flag));
   groups.push_back(model_flags());
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());

@@ -199,10 +199,11 @@ Command unfold_command() {
       least_stretch_flag(),
       csv_flag(),
       output_format_flag(output_names(), "svg")};
+  for (Flag& flag : cut_flags())
+    flags.push_back(std::move(flag));
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
   std::vector<FlagGroup> groups = {{"Output", std::move(flags)},
-                                   cut_flags(),
                                    model_flags(),
                                    {"Limits of the pattern", limit_flags()},
                                    annotation_flags()};

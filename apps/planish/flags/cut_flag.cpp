@@ -24,20 +24,21 @@
 
 namespace planish::cli {
 
-FlagGroup cut_flags() {
+std::vector<Flag> cut_flags() {
   Flag cut = {"--cut", "LINES",
-              "cut the surface along lines first: an .obj with lines, a file with the vertices of "
-              "a line in each row, \"plane x=0\", \"creases 30deg\", or open: what makes it lie "
-              "flat at all; may be given several times"};
+              "cut the surface along lines first: an .obj or a list of vertices, \"plane x=0\", "
+              "\"creases 30deg\", or open: what makes a disk; may be repeated"};
   cut.accepts.repeats = true;
-  cut.accepts.type = ValueType::text;
+  cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
-                "triangles: a line cuts through them; edges: it follows edges of the mesh"};
+                "triangles: a line cuts through them; edges: it follows edges of the mesh (default "
+                "triangles)"};
   along.accepts = {.choices = {"triangles", "edges"}, .standard = "triangles"};
-  Flag smooth = {"--smooth-lines", "ANSWER",
-                 "take the teeth out of drawn lines, by up to half an edge: yes or no"};
+  Flag smooth = {
+      "--smooth-lines", "ANSWER",
+      "take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)"};
   smooth.accepts = {.choices = {"yes", "no"}, .standard = "yes"};
-  return {"Cuts", {cut, along, smooth}};
+  return {cut, along, smooth};
 }
 
 namespace {
@@ -187,11 +188,19 @@ RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
   return all;
 }
 
+void check_count(const std::vector<SurfaceLine>& lines) {
+  constexpr std::size_t most = 10'000;
+  if (lines.size() <= most) return;
+  throw Error(ErrorCode::too_large, "--cut: there are " + std::to_string(lines.size()) +
+                                        " lines; at most 10,000 can be cut at once");
+}
+
 /// Joins the lines, makes them edges and opens these.
 CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, Session& session,
                               const ShownLengths& lengths) {
   const Patch patch(as_in_file(mesh, arguments));
   RequestedLines asked = requested_lines(patch, arguments);
+  check_count(asked.lines);
   const double scale = scale_from(arguments);
   for (const std::string& note : asked.notes)
     session.note(note);

@@ -13,7 +13,7 @@
 namespace planish::cli {
 
 /// --cut and how its lines are taken, for verbs that take a patch.
-FlagGroup cut_flags();
+std::vector<Flag> cut_flags();
 
 /// What --cut did to a mesh.
 struct CutOutcome {

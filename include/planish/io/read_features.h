@@ -31,14 +31,14 @@ std::vector<Field> field_parts(const Field& field);
 
 /// One of several items that are told in the same way.
 struct Row {
-  std::vector<Field> fields;
+  std::vector<Field> fields;  ///< numbers and words, in order
   std::size_t number = 0;  ///< the line of the file, or which row it is; from 1
 };
 
 /// The lines of a file taken apart, or what is told so without a file.
 struct Rows {
   std::string name;  ///< the path in errors
-  std::vector<Row> rows;
+  std::vector<Row> rows;  ///< in order
 };
 
 /// The words of each line that has any; comments from # to the end of the line.
@@ -107,7 +107,7 @@ CutLines cuts_in(const Rows& rows, const TriMesh& mesh);
 
 /// Lines on a patch that a file draws or lists.
 struct CutLinesOnPatch {
-  std::vector<SurfaceLine> lines;
+  std::vector<SurfaceLine> lines;      ///< in the order of the file
   std::vector<SourceLocation> places;  ///< of each line, where the file has it
   double farthest = 0.0;               ///< of drawn points from the patch; model units
   double outside_length = 0.0;         ///< of drawn lines that lie off the patch; model units

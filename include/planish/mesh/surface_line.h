@@ -65,7 +65,7 @@ struct JoinedEnd {
 /// Lines of which ends meet others, or the border.
 struct JoinedLines {
   std::vector<SurfaceLine> lines;  ///< in the same order
-  std::vector<JoinedEnd> joined = {};
+  std::vector<JoinedEnd> joined = {};  ///< ends that were not where they are now
 };
 
 /// Makes ends of lines that nearly meet another line, or the border, meet it: goes straight on to

@@ -71,10 +71,10 @@ struct CutSuggestion {
 CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options = {},
                            const Context& context = {});
 
-/// Short cuts along edges that make a disk of a mesh, by its own vertices: none for a disk. A closed
-/// surface is opened along the shortest path from the ring of greatest positive angle defect to the
-/// farthest of those with half as much; several borders are joined to the first by shortest paths,
-/// the nearest first; each handle gets two cuts, of a greedy system of loops (Erickson and
+/// Short cuts along edges that make a disk of a mesh, by its own vertices: none for a disk. A
+/// closed surface is opened along the shortest path from the ring of greatest positive angle defect
+/// to the farthest of those with half as much; several borders are joined to the first by shortest
+/// paths, the nearest first; each handle gets two cuts, of a greedy system of loops (Erickson and
 /// Whittlesey 2005).
 /// @throws Error several_components
 std::vector<std::vector<Index>> cut_graph(const Patch& patch);

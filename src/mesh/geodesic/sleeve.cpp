@@ -71,7 +71,8 @@ struct Bend {
 
 /// The start, all bends, the goal.
 std::vector<Bend> shortest_path(const UnfoldedSleeve& flat) {
-  const auto& [points, portals] = flat;
+  const std::vector<Vec2>& points = flat.points;
+  const std::vector<UnfoldedSleeve::Portal>& portals = flat.portals;
   std::vector<Bend> path = {{0, -1, -1}};
   std::size_t apex = 0, left = 0, right = 0;
   std::size_t left_at = 0, right_at = 0;  // portals

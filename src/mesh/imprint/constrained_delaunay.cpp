@@ -294,7 +294,7 @@ Vec2 ConstrainedDelaunay::crossing(Key segment, Index a, Index b) const {
 
 /// Connects a and b over a segment that lies between them.
 void ConstrainedDelaunay::cross(Key segment, Index a, Index b, int depth) {
-  const auto [c, d] = segment;
+  const Index c = segment[0], d = segment[1];
   const Vec2 grid = crossing(segment, a, b);
   const bool is_inside = grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells;
   const auto nearest = [&] {

@@ -7,6 +7,7 @@
 #include <planish/mesh/carry.h>
 #include <planish/mesh/surface_line.h>
 
+#include "geometry/box.h"
 #include "mesh/carry/place_on_triangle.h"
 #include "mesh/mean_edge.h"
 
@@ -39,6 +40,7 @@ class Joiner {
       : patch_(patch), scale_(patch.unit_scale()), tolerance_(scale_ * tolerance) {
     result_.lines = std::move(lines);
     places_.resize(result_.lines.size());
+    boxes_.resize(result_.lines.size());
     for (std::size_t l = 0; l < places_.size(); ++l)
       locate(l);
   }
@@ -63,8 +65,15 @@ class Joiner {
     return ring.front() == carriers[1] || ring.back() == carriers[1];
   }
 
+  bool is_far(const Box& box, Vec3 p) const {
+    return p.x < box.low.x - tolerance_ || p.x > box.high.x + tolerance_ ||
+           p.y < box.low.y - tolerance_ || p.y > box.high.y + tolerance_ ||
+           p.z < box.low.z - tolerance_ || p.z > box.high.z + tolerance_;
+  }
+
   void look_at_line(std::size_t l, std::size_t own, Vec3 end, bool is_last,
                     Nearest& nearest) const {
+    if (l != own && is_far(boxes_[l], end)) return;
     const std::vector<Vec3>& places = places_[l];
     double along = 0.0;  // of the own line, what is near the end is the end itself
     for (std::size_t i = 1; i < places.size(); ++i) {
@@ -170,14 +179,18 @@ class Joiner {
 
   void locate(std::size_t l) {
     places_[l].clear();
+    boxes_[l] = {};
     for (const SurfacePoint& point : result_.lines[l])
       places_[l].push_back(scale_ * position_of(point, patch_.positions()));
+    for (const Vec3 p : places_[l])
+      boxes_[l].add(p);
   }
 
   const Patch& patch_;
   double scale_, tolerance_;
   JoinedLines result_;
   std::vector<std::vector<Vec3>> places_;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace

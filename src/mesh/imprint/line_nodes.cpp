@@ -89,7 +89,7 @@ Index LineNodes::new_node(const Node& node) {
 
 /// The half-edge from the first of its corners.
 std::optional<Index> LineNodes::half_of(const SurfacePoint& point) const {
-  const auto& [a, b, c] = point.corners;
+  const Index a = point.corners[0], b = point.corners[1], c = point.corners[2];
   if (a >= vertex_count_ || !half_edges_.is_used(a)) return std::nullopt;
   std::optional<Index> found;
   half_edges_.for_each_corner(a, [&](Index h) {

@@ -20,9 +20,11 @@ def evolve(
     progress: Optional[Progress] = None,
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
-    cut: Optional[Rows] = None,
     remesh: Optional[bool] = None,
     smooth_first: Optional[Amount] = None,
+    cut: Optional[Rows] = None,
+    cut_along: Optional[str] = None,
+    smooth_lines: Optional[str] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -72,11 +74,13 @@ def evolve(
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
-        cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
-            mesh
         remesh: work on fewer vertices, and write these; the border keeps all of its own
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
+        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
+            what makes a disk; may be repeated
+        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
+        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -159,6 +163,8 @@ def evolve_sweeps(
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
     cut: Optional[Rows] = None,
+    cut_along: Optional[str] = None,
+    smooth_lines: Optional[str] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -208,8 +214,10 @@ def evolve_sweeps(
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
-        cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
-            mesh
+        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
+            what makes a disk; may be repeated
+        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
+        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)

@@ -20,7 +20,6 @@ def flatten(
     progress: Optional[Progress] = None,
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
-    cut: Optional[Rows] = None,
     remesh: Optional[bool] = None,
     smooth_first: Optional[Amount] = None,
     match_seams: Optional[bool] = None,
@@ -37,6 +36,9 @@ def flatten(
     dxf_version: Optional[Literal["r12", "r2000"]] = None,
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
     dxf_layers: Optional[str] = None,
+    cut: Optional[Rows] = None,
+    cut_along: Optional[str] = None,
+    smooth_lines: Optional[str] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     edge_allowances: Optional[Rows] = None,
@@ -105,8 +107,6 @@ def flatten(
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
-        cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
-            mesh
         remesh: work on fewer vertices, and write these; the border keeps all of its own
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
@@ -129,6 +129,10 @@ def flatten(
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend or cut
+        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
+            what makes a disk; may be repeated
+        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
+        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm

@@ -20,9 +20,11 @@ def unfold(
     progress: Optional[Progress] = None,
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
-    cut: Optional[Rows] = None,
     match_seams: Optional[bool] = None,
     least_stretch: Optional[bool] = None,
+    cut: Optional[Rows] = None,
+    cut_along: Optional[str] = None,
+    smooth_lines: Optional[str] = None,
     paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
     map: Optional[bool] = None,
     only_layers: Optional[str | Sequence[str]] = None,
@@ -61,12 +63,14 @@ def unfold(
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
-        cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
-            mesh
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
         least_stretch: the pattern of least stretch; without it, up to 6 % more rms strain make the largest strains as
             small as they get
+        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
+            what makes a disk; may be repeated
+        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
+        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,

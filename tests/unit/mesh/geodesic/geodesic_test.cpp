@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <planish/mesh/geodesic.h>
@@ -229,7 +230,7 @@ TEST(Geodesic, RefusesWhatHasNone) {
   for (const SurfacePoint& bad :
        {SurfacePoint{{0, 1, 2}}, SurfacePoint{{0, 1, 100}}, SurfacePoint{{0, 0, 1}},
         SurfacePoint{good.corners, {0.5, 0.6, 0.0}}, SurfacePoint{good.corners, {1.5, -0.5, 0.0}},
-        SurfacePoint{good.corners, {NAN, 0.5, 0.5}}}) {
+        SurfacePoint{good.corners, {std::numeric_limits<double>::quiet_NaN(), 0.5, 0.5}}}) {
     EXPECT_EQ(code_of([&] { geodesic(patch, good, bad); }), ErrorCode::option_out_of_range);
     EXPECT_EQ(code_of([&] {
                 straightest(patch, bad, {1, 0, 0}, 1.0);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <planish/mesh/geodesic.h>
@@ -97,9 +98,11 @@ TEST(Straightest, RefusesWhatIsNoDirectionOrLength) {
   const TriMesh mesh = meshes::flat_grid(2, 2);
   const Patch patch(mesh);
   const SurfacePoint from{mesh.triangles[0]};
-  for (const Vec3 bad : {Vec3{}, Vec3{0, 0, 1}, Vec3{NAN, 0, 0}})
+  for (const Vec3 bad :
+       {Vec3{}, Vec3{0, 0, 1}, Vec3{std::numeric_limits<double>::quiet_NaN(), 0, 0}})
     EXPECT_THROW(straightest(patch, from, bad, 1.0), Error);
-  for (const double bad : {-1.0, static_cast<double>(INFINITY), static_cast<double>(NAN)})
+  for (const double bad :
+       {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(straightest(patch, from, {1, 0, 0}, bad), Error);
   EXPECT_EQ(straightest(patch, from, {1, 0, 0}, 0.0).length, 0.0);
 }

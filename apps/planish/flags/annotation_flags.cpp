@@ -49,6 +49,7 @@ std::optional<Grain> grain_from(const Arguments& arguments) {
   if (parts.size() == 1)
     return quantity_value("--grain", parts.front(), Quantity::angle, {-360.0, 360.0}, arguments);
   std::vector<double> numbers;
+  numbers.reserve(parts.size());
   for (const Field& part : parts)
     numbers.push_back(field_number(part).value_or(std::numeric_limits<double>::quiet_NaN()));
   numbers.resize(std::max<std::size_t>(numbers.size(), 3));

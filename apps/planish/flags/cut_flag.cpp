@@ -144,9 +144,9 @@ void add_cut_graph(RequestedLines& all, const Patch& patch) {
   if (graph.empty()) all.notes.push_back("--cut open: the surface lies flat without a cut");
   std::vector<SurfaceLine> lines;
   for (const std::vector<Index>& path : graph) {
-    SurfaceLine line = line_along_edges(patch, path);
+    lines.push_back(line_along_edges(patch, path));
     // Paths that share edges with others have to stay where these are.
-    lines.push_back(graph.size() == 1 ? shortened(patch, line).points : line);
+    if (graph.size() == 1) lines.back() = shortened(patch, lines.back()).points;
   }
   add(all, std::move(lines), "open");
 }
@@ -172,14 +172,14 @@ RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
     return all;
   }
   for (const std::string& value : values_of(arguments.text("--cut"))) {
-    const std::vector<std::string> words = words_of(value);
-    if (is_file(value) || words.empty()) {
-      add_file(all, patch, value, arguments);
-    } else if (words[0] == "plane") {
+    const std::vector<std::string> words =
+        is_file(value) ? std::vector<std::string>{} : words_of(value);
+    const std::string kind = words.empty() ? "" : words[0];
+    if (kind == "plane") {
       add_section(all, patch, value, words, arguments);
-    } else if (value == "open") {
+    } else if (kind == "open") {
       add_cut_graph(all, patch);
-    } else if (words[0] == "creases") {
+    } else if (kind == "creases") {
       add_creases(all, patch, value, words, arguments);
     } else {
       add_file(all, patch, value, arguments);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <planish/draw/drawing.h>
+#include <planish/flatten/flatten.h>
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
 

@@ -33,7 +33,8 @@ std::string format_png(const Image& image) {
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width);
   header.height = static_cast<png_uint_32>(image.height);
-  // Twice as large, but somebody waits for the page that pictures are for: docs/notebook/design_decisions.md.
+  // Twice as large, but somebody waits for the page that pictures are for:
+  // docs/notebook/design_decisions.md.
   header.flags = PNG_IMAGE_FLAG_FAST;
   header.format = image.alpha.empty() ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
   const std::string samples = samples_of(image);

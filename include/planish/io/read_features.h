@@ -32,12 +32,12 @@ std::vector<Field> field_parts(const Field& field);
 /// One of several items that are told in the same way.
 struct Row {
   std::vector<Field> fields;  ///< numbers and words, in order
-  std::size_t number = 0;  ///< the line of the file, or which row it is; from 1
+  std::size_t number = 0;     ///< the line of the file, or which row it is; from 1
 };
 
 /// The lines of a file taken apart, or what is told so without a file.
 struct Rows {
-  std::string name;  ///< the path in errors
+  std::string name;       ///< the path in errors
   std::vector<Row> rows;  ///< in order
 };
 

@@ -110,8 +110,8 @@ void require(const StrainLimits& limits);
 /// A limit or target that was asked for, and whether the result keeps it.
 struct LimitCheck {
   Criterion what = Criterion::strain;  ///< that is limited; one of those up to `bending`
-  double limit = 0.0;  ///< a share of length, model units, degrees, radians, a ratio
-  double value = 0.0;  ///< what the result has: the largest, of angles the smallest
+  double limit = 0.0;         ///< a share of length, model units, degrees, radians, a ratio
+  double value = 0.0;         ///< what the result has: the largest, of angles the smallest
   bool met = value <= limit;  ///< of angles: value >= limit
   double share_beyond = 0.0;  ///< of strain in a pattern: of the area, with more than the limit
   /// Of strain in a pattern: the first edge with the largest |strain|, or most stretch or

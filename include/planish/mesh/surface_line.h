@@ -64,7 +64,7 @@ struct JoinedEnd {
 
 /// Lines of which ends meet others, or the border.
 struct JoinedLines {
-  std::vector<SurfaceLine> lines;  ///< in the same order
+  std::vector<SurfaceLine> lines;      ///< in the same order
   std::vector<JoinedEnd> joined = {};  ///< ends that were not where they are now
 };
 

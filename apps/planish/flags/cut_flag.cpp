@@ -141,7 +141,7 @@ void add_creases(RequestedLines& all, const Patch& patch, const std::string& val
 /// A short cut graph, drawn tight from junction to junction.
 void add_cut_graph(RequestedLines& all, const Patch& patch) {
   const std::vector<std::vector<Index>> graph = cut_graph(patch);
-  if (graph.empty()) all.notes.push_back("--cut open: the surface lies flat without a cut");
+  if (graph.empty()) all.notes.emplace_back("--cut open: the surface lies flat without a cut");
   std::vector<SurfaceLine> lines;
   for (const std::vector<Index>& path : graph) {
     lines.push_back(line_along_edges(patch, path));

@@ -142,10 +142,9 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
     if (is_free) continue;
     const Vec2 along = LaidEdge(edge, flat).along;
     const auto set = [&](Index v, double sign) {
-      const double parts[2] = {sign * along.x, sign * along.y};
       const BlockMatrix::Pair pair = matrix_.pair_of(v, pull);
       for (int axis = 0; axis < matrix_.size(v); ++axis)
-        *matrix_.entries(v, pair, axis) = parts[axis];
+        *matrix_.entries(v, pair, axis) = sign * (axis == 0 ? along.x : along.y);
     };
     set(edge.from, -1.0);
     set(edge.to, 1.0);

@@ -88,10 +88,11 @@ bool StretchSystem::factor() {
 
 void StretchSystem::add(const FlatEdge& edge, BlockMatrix::Pair ends, const EdgeTerm& term) {
   add_to(gradient_, edge, term.gradient);
-  const double block[2][2] = {{term.xx, term.xy}, {term.xy, term.yy}};
   matrix_.add(std::array{edge.from, edge.to}, &ends,
               [&](std::size_t i, int row, std::size_t j, int column) {
-                return i == j ? block[row][column] : -block[row][column];
+                const double diagonal = row == 0 ? term.xx : term.yy;
+                const double entry = row == column ? diagonal : term.xy;
+                return i == j ? entry : -entry;
               });
 }
 

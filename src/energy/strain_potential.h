@@ -42,9 +42,9 @@ class StrainPotential {
   /// False where K or its square cannot be factored.
   bool solvable() const { return solvable_; }
   BoundaryCondition border() const { return border_; }
-  /// From the next update on squares of phi at a free border count divided by this, as if it were
-  /// stiffer. It is then phi over the root of this that of() gives there: strain is told too large,
-  /// if at all.
+  /// From the next update on, the squares of phi at a free border are divided by `ease`, as if the
+  /// border were stiffer. There of() then returns phi / sqrt(ease): strain is overestimated, if
+  /// anything.
   /// @param ease above 0, at most 1: as at first
   void set_boundary_compliance(double ease) { ease_ = ease; }
   /// Takes K from a surface with other positions.

@@ -45,12 +45,12 @@ struct StrainPrice {
       sum.add(edge.area * price_of(LaidEdge(edge, flat).strain / unit).value);
     return sum.value();
   }
-  /// Of an edge, so many times.
-  EdgeTerm term(const FlatEdge& edge, const std::vector<Vec2>& flat, double times = 1.0) const {
+  /// Derivatives of the price of one edge, multiplied by `factor`.
+  EdgeTerm term(const FlatEdge& edge, const std::vector<Vec2>& flat, double factor = 1.0) const {
     const LaidEdge laid(edge, flat);
     const Price price = price_of(laid.strain / unit);
-    const double rest = unit * edge.length, slope = times * edge.area * price.slope / rest;
-    return laid.term(slope, times * edge.area * price.curvature / (rest * rest),
+    const double rest = unit * edge.length, slope = factor * edge.area * price.slope / rest;
+    return laid.term(slope, factor * edge.area * price.curvature / (rest * rest),
                      std::max(0.0, slope) / laid.length);
   }
 };

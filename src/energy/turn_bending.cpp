@@ -46,11 +46,11 @@ double TurnBending::value(const std::vector<Vec2>& flat) const {
 }
 
 Summand<3, Vec2> TurnBending::summand(std::size_t turn, const std::vector<Vec2>& flat,
-                                      double times) const {
+                                      double factor) const {
   const auto& v = turns_[turn].vertices;
   const Vec2 first = turning_of(flat[v[1]] - flat[v[0]]);
   const Vec2 last = turning_of(flat[v[2]] - flat[v[1]]);
-  const double twice = 2.0 * times * turns_[turn].weight;
+  const double twice = 2.0 * factor * turns_[turn].weight;
   return {v, twice * change_of(turns_[turn], flat), twice, {first, Vec2{} - first - last, last}};
 }
 

@@ -27,9 +27,9 @@ class TurnBending {
 
   const std::vector<Turn>& turns() const { return turns_; }
   double value(const std::vector<Vec2>& flat) const;
-  /// @param times so many times the energy
+  /// @param factor that the energy is multiplied by
   Summand<3, Vec2> summand(std::size_t turn, const std::vector<Vec2>& flat,
-                           double times = 1.0) const;
+                           double factor = 1.0) const;
 
  private:
   std::vector<Turn> turns_;

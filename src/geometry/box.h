@@ -20,6 +20,14 @@ struct Box {
   }
 };
 
+/// Whether two boxes are farther apart than a margin along an axis.
+inline bool are_apart(const Box& a, const Box& b, double margin) {
+  const auto apart = [&](double Vec3::*x) {
+    return a.high.*x < b.low.*x - margin || a.low.*x > b.high.*x + margin;
+  };
+  return apart(&Vec3::x) || apart(&Vec3::y) || apart(&Vec3::z);
+}
+
 /// unit_scale() of a mesh whose vertices have this box.
 double unit_scale(const Box& box);
 

@@ -34,12 +34,6 @@ Deviation deviation_of(const Distances& distances, const Patch& before) {
   return deviation;
 }
 
-TriMesh scaled(TriMesh mesh, double scale) {
-  for (Vec3& p : mesh.positions)
-    p = scale * p;
-  return mesh;
-}
-
 }  // namespace
 
 Deviation measure_deviation(const Patch& before, std::span<const Vec3> after) {

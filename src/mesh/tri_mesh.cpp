@@ -57,4 +57,10 @@ double unit_scale(const Box& box) {
   return std::ldexp(1.0, std::clamp(-exponent - 1, -1022, largest));
 }
 
+TriMesh scaled(TriMesh mesh, double factor) {
+  for (Vec3& p : mesh.positions)
+    p = factor * p;
+  return mesh;
+}
+
 }  // namespace planish

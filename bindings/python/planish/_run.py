@@ -51,7 +51,7 @@ def rows(keyword: str, value: Any, count: Optional[int]) -> list[Any]:
 
 
 def typed(keywords: dict[str, Any], count: Optional[int] = None) -> dict[str, Any]:
-    """Keywords with meshes and rows in place of whatever says them; count is that of the mesh's vertices."""
+    """The keywords, with rows of lists as rows and an obstacle as a mesh; count: vertices of the mesh."""
     given = dict(keywords)
     for keyword, value in keywords.items():
         if keyword in ROW_KEYWORDS and not is_path(value):

@@ -353,10 +353,11 @@ void describe(Auto& o, Visit&& visit) {
         "no triangle gets an angle below this, or below the smallest one at first if that is "
         "smaller, in degrees",
         Range{0.0, 60.0});
-  visit("max_bending", o.max_bending,
-        "with prefer smooth or flat: bend at most so many times as much as the design; the more, "
-        "the nearer the surface may stay; 0: as smooth as usual",
-        Range{0.0, 1e6});
+  visit(
+      "max_bending", o.max_bending,
+      "with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger "
+      "one lets the surface stay nearer; 0: as smooth as usual",
+      Range{0.0, 1e6});
   visit("prefer", o.prefer,
         "what counts most: that the surface stays smooth, becomes flattenable, or stays near");
   visit("closeness", o.closeness,

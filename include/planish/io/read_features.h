@@ -29,13 +29,13 @@ std::optional<double> field_number(const Field& field, std::string_view ending =
 /// What a word has between its commas; a number is one part.
 std::vector<Field> field_parts(const Field& field);
 
-/// One of several items that are told in the same way.
+/// A row of a list: the fields of one item.
 struct Row {
   std::vector<Field> fields;  ///< numbers and words, in order
   std::size_t number = 0;     ///< the line of the file, or which row it is; from 1
 };
 
-/// The lines of a file taken apart, or what is told so without a file.
+/// A list of items: the lines of a file divided into fields, or rows that a caller made.
 struct Rows {
   std::string name;       ///< the path in errors
   std::vector<Row> rows;  ///< in order

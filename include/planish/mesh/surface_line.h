@@ -42,7 +42,8 @@ struct Plane {
 
 /// Where a plane meets a mesh: lines through its triangles, each as long as it can be, in the order
 /// of the triangles that they begin in. A vertex nearer to the plane than `snap` counts as on it;
-/// edges on the plane belong to a line where the mesh goes on to both sides of it. Linear time.
+/// an edge on the plane belongs to a line where the mesh lies on both sides of the plane there.
+/// Linear time.
 /// @param snap model units
 /// @throws Error option_out_of_range for a normal of length 0 and what is no number
 std::vector<SurfaceLine> plane_section(const Patch& patch, const Plane& plane, double snap = 0.0);

@@ -26,4 +26,7 @@ double bounding_box_diagonal(const TriMesh& mesh);
 /// and every angle keeps its value. 1 for a mesh of one point.
 double unit_scale(const TriMesh& mesh);
 
+/// The mesh with all coordinates multiplied.
+TriMesh scaled(TriMesh mesh, double factor);
+
 }  // namespace planish

@@ -18,8 +18,8 @@ struct Compared {
   std::vector<double> bending_before = {}, bending_after = {};
   double mean_edge = 0.0;
 
-  /// Of a window, usually so many sizes. It has some mean edges at least: a coarse mesh shows no
-  /// more.
+  /// Radius of a window: the usual one, but at least some mean edges, as a coarse mesh shows no
+  /// smaller detail.
   double radius(double usual, double least_edges = 1.5) const {
     return std::max(usual, least_edges * mean_edge);
   }

@@ -22,12 +22,6 @@ constexpr double k_reach = 1e-3;      // in mean edges
 constexpr double k_farthest = 1e6;    // in sizes of the mesh
 constexpr std::size_t k_most_places = 20'000'000;
 
-TriMesh scaled(TriMesh mesh, double scale) {
-  for (Vec3& p : mesh.positions)
-    p = scale * p;
-  return mesh;
-}
-
 bool is_near(Vec3 p, Vec3 middle) {
   const Vec3 apart = p - middle;
   return std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) <= k_farthest;

@@ -34,13 +34,6 @@ struct Section {
   double way(Vec3 p) const { return dot(along, p - start); }
 };
 
-bool are_apart(const Box& a, const Box& b, double margin) {
-  const auto apart = [&](double Vec3::*x) {
-    return a.high.*x < b.low.*x - margin || a.low.*x > b.high.*x + margin;
-  };
-  return apart(&Vec3::x) || apart(&Vec3::y) || apart(&Vec3::z);
-}
-
 Box box_around(const TriMesh& mesh) {
   Box box;
   for (const Triangle& t : mesh.triangles) {

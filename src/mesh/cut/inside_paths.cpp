@@ -50,6 +50,13 @@ std::optional<Index> InsidePaths::farthest(Index first,
   return last;
 }
 
+InsidePaths::Tree InsidePaths::tree(std::span<const Index> first) {
+  spread(first, [](Index) { return false; });
+  Tree tree{distance_, previous_};
+  forget();
+  return tree;
+}
+
 std::optional<Index> InsidePaths::spread(std::span<const Index> first,
                                          const std::function<bool(Index)>& at_vertex) {
   // Of equally near vertices the one with the smallest number is first.

@@ -27,6 +27,13 @@ class InsidePaths {
   /// The vertex that is farthest along such paths, of those that are wanted and can be reached.
   std::optional<Index> farthest(Index first, const std::function<bool(Index)>& is_wanted);
 
+  /// Shortest paths from the first vertices to all others.
+  struct Tree {
+    std::vector<double> distance;  ///< infinite where no path leads
+    std::vector<Index> previous;   ///< of a first vertex itself; of no meaning where none leads
+  };
+  Tree tree(std::span<const Index> first);
+
   /// Vertices looked at so far.
   std::size_t looks() const { return looks_; }
 

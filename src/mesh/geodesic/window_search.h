@@ -47,7 +47,7 @@ class WindowSearch {
     double before;      ///< distance of that from the start
   };
 
-  /// How the shortest known path comes to a vertex.
+  /// The shortest path to a vertex that is known so far: its length and its last part.
   struct Arrival {
     double distance = infinite;
     double passed_on = infinite;  ///< the distance when windows from it were made last

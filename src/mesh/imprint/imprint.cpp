@@ -300,9 +300,6 @@ void Imprinter::divide(const Needle& needle) {
 }
 
 void Imprinter::widen_angles() {
-  std::vector<Index> open;
-  for (const auto& [triangle, face] : faces_)
-    open.push_back(triangle);
   for (int round = 0; round < k_rounds; ++round) {
     std::vector<Needle> needles;
     for (const auto& [triangle, face] : faces_)

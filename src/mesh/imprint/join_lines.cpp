@@ -65,15 +65,9 @@ class Joiner {
     return ring.front() == carriers[1] || ring.back() == carriers[1];
   }
 
-  bool is_far(const Box& box, Vec3 p) const {
-    return p.x < box.low.x - tolerance_ || p.x > box.high.x + tolerance_ ||
-           p.y < box.low.y - tolerance_ || p.y > box.high.y + tolerance_ ||
-           p.z < box.low.z - tolerance_ || p.z > box.high.z + tolerance_;
-  }
-
   void look_at_line(std::size_t l, std::size_t own, Vec3 end, bool is_last,
                     Nearest& nearest) const {
-    if (l != own && is_far(boxes_[l], end)) return;
+    if (l != own && are_apart(boxes_[l], {end, end}, tolerance_)) return;
     const std::vector<Vec3>& places = places_[l];
     double along = 0.0;  // of the own line, what is near the end is the end itself
     for (std::size_t i = 1; i < places.size(); ++i) {

@@ -10,12 +10,6 @@ namespace planish {
 
 namespace {
 
-TriMesh scaled(TriMesh mesh, double scale) {
-  for (Vec3& p : mesh.positions)
-    p = scale * p;
-  return mesh;
-}
-
 /// Barycentric coordinates in cells of the grid; their sum is all cells of a side.
 std::array<double, 3> cells_of(const std::array<double, 3>& shares) {
   std::array<double, 3> cells = {0.0, std::nearbyint(shares[1] * k_cells),

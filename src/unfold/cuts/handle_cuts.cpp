@@ -1,10 +1,9 @@
 #include "unfold/cuts/handle_cuts.h"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
+#include <array>
 #include <map>
-#include <queue>
+#include <span>
 #include <utility>
 
 #include "mesh/cut/inside_paths.h"
@@ -14,51 +13,21 @@ namespace planish {
 
 namespace {
 
-/// The shortest paths from the border, or from a vertex where there is none.
-struct ShortestPaths {
-  std::vector<double> distance;
-  std::vector<Index> previous;  ///< of where they begin, itself
+/// From the border, or from a vertex where there is none.
+InsidePaths::Tree shortest_paths(const Patch& patch) {
+  InsidePaths inside(patch);
+  if (!patch.border_loops().empty()) return inside.tree(patch.border_loops().front());
+  const Index first = patch.triangles().front().front();
+  return inside.tree(std::span(&first, 1));
+}
 
-  explicit ShortestPaths(const Patch& patch)
-      : distance(patch.vertex_count(), std::numeric_limits<double>::infinity()),
-        previous(patch.vertex_count(), 0) {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto begin = [&](Index v) {
-      distance[v] = 0.0;
-      previous[v] = v;
-      queue.emplace(0.0, v);
-    };
-    if (patch.border_loops().empty()) {
-      begin(patch.triangles().front().front());
-    } else {
-      for (const Index v : patch.border_loops().front())
-        begin(v);
-    }
-    const double scale = patch.unit_scale();
-    while (!queue.empty()) {
-      const auto [at, v] = queue.top();
-      queue.pop();
-      if (at > distance[v]) continue;
-      for (const Index w : patch.ring(v)) {
-        const double through =
-            at + norm(scale * patch.positions()[w] - scale * patch.positions()[v]);
-        if (!(through < distance[w])) continue;
-        distance[w] = through;
-        previous[w] = v;
-        queue.emplace(through, w);
-      }
-    }
-  }
-
-  /// Back to where the path to v begins.
-  std::vector<Index> back_from(Index v) const {
-    std::vector<Index> path = {v};
-    while (previous[path.back()] != path.back())
-      path.push_back(previous[path.back()]);
-    return path;
-  }
-};
+/// From v back to where its path begins.
+std::vector<Index> path_back(const InsidePaths::Tree& paths, Index v) {
+  std::vector<Index> path = {v};
+  while (paths.previous[path.back()] != path.back())
+    path.push_back(paths.previous[path.back()]);
+  return path;
+}
 
 /// An edge that no path takes.
 struct Beyond {
@@ -67,7 +36,7 @@ struct Beyond {
   Index left, right;  ///< triangles
 };
 
-std::vector<Beyond> edges_beyond(const Patch& patch, const ShortestPaths& paths) {
+std::vector<Beyond> edges_beyond(const Patch& patch, const InsidePaths::Tree& paths) {
   std::map<std::array<Index, 2>, Index> left;  // triangle by the edge with it on the left
   const auto& triangles = patch.triangles();
   for (Index t = 0; t < triangles.size(); ++t) {
@@ -93,7 +62,7 @@ std::vector<Beyond> edges_beyond(const Patch& patch, const ShortestPaths& paths)
 }  // namespace
 
 std::vector<std::vector<Index>> handle_cuts(const Patch& patch) {
-  const ShortestPaths paths(patch);
+  const InsidePaths::Tree paths = shortest_paths(patch);
   DisjointSets<Index> joined(patch.triangles().size());
   std::vector<std::vector<Index>> cuts;
   for (const Beyond& edge : edges_beyond(patch, paths)) {
@@ -101,9 +70,9 @@ std::vector<std::vector<Index>> handle_cuts(const Patch& patch) {
       joined.join(edge.left, edge.right);
       continue;
     }
-    std::vector<Index> cut = paths.back_from(edge.from);
+    std::vector<Index> cut = path_back(paths, edge.from);
     std::reverse(cut.begin(), cut.end());
-    const std::vector<Index> back = paths.back_from(edge.to);
+    const std::vector<Index> back = path_back(paths, edge.to);
     cut.insert(cut.end(), back.begin(), back.end());
     cuts.push_back(std::move(cut));
   }

@@ -24,7 +24,7 @@ class SeamSystem final : public StretchSystem {
   /// @param border must outlive it, as must the disk and the pool
   SeamSystem(const Disk& disk, const HeldBorder& border, ThreadPool& pool);
 
-  void stiffen(double times) override { stiffness_ = times; }
+  void stiffen(double factor) override { stiffness_ = factor; }
   double energy(const std::vector<Vec2>& flat) const override {
     return StretchSystem::energy(flat) + stiffness_ * border_.bend.value(flat);
   }

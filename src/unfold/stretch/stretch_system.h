@@ -25,8 +25,8 @@ class StretchSystem {
   StretchSystem(const StretchSystem&) = delete;
   StretchSystem& operator=(const StretchSystem&) = delete;
 
-  /// Makes bending of a border that is held cost so many times as much as at first.
-  virtual void stiffen(double /*times*/) {}
+  /// Multiplies the weight of bending of a held border, as it was at first, by a factor.
+  virtual void stiffen(double /*factor*/) {}
   /// What is to be lowered, without the terms of edges: infinite where a triangle is flipped.
   virtual double energy(const std::vector<Vec2>& flat) const { return total_energy(disk_, flat); }
   /// Sets gradient and Hessian to those of the energy.

@@ -20,12 +20,12 @@ inline constexpr std::size_t k_thinning = 4;
 inline constexpr double k_blocked_strain = 1e-2;
 /// So many steps in a row that move nothing end a level.
 inline constexpr int k_most_stagnant = 3;
-/// A step is halved so often before it is given up.
+/// Halvings of a step before it is given up.
 inline constexpr int k_most_halvings = 12;
-/// What is so near to a limit of distance is held by it: a share of the limit.
+/// A vertex that has moved by this fraction of a limit of distance is held by the limit.
 inline constexpr double k_at_limit = 0.99;
-/// Of an rms limit, what the estimate by phi is led to: the pattern itself has up to so much more,
-/// on all but very uneven meshes.
+/// Fraction of an rms limit that the estimate by phi is led to: the strain of the pattern may be
+/// larger by the rest, on all but very uneven meshes.
 inline constexpr double k_rms_limit_share = 0.95;
 /// Without a limit of angles, triangles keep this one (degrees), or half of the smallest at first.
 inline constexpr double k_needle = 5.0;
@@ -66,8 +66,8 @@ inline constexpr std::size_t k_least_later_steps = 5, k_most_later_steps = 30;
 inline constexpr int k_most_strict_steps = 40, k_most_strict_steps_bounded = 80;
 /// Strain, rms, at which the last steps of `flat` begin.
 inline constexpr double k_nearly_flat = 2e-4;
-/// A limit counts as kept at so many times it, so that steps end within it; the ceiling of bending
-/// may be passed by as much.
+/// A limit counts as kept up to this factor of it, so that steps end within it; the ceiling of
+/// bending may be exceeded by the same factor.
 inline constexpr double k_nearly = 1.03;
 
 /// Longest move of a vertex in a step, in mean edges.
@@ -85,10 +85,10 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
-/// Where the border may move so far (a length over D) or further, the least delta for a tight
+/// Where the border may move by this much (a length over D) or more, the least delta for a tight
 /// limit; where it may move less far, it is between the two.
 inline constexpr double k_far_border = 0.02, k_tight_delta_far_border = 0.00225;
-/// Where the border may move, delta follows the deviation: so many times it.
+/// Where the border may move, delta is the deviation times this factor.
 inline constexpr double k_delta_of_deviation = 0.67;
 /// With a bound of bending: least delta, and least first delta. Where all strain is to go, the
 /// ceiling of bending is the bound over k_room_for_polish, as polishing adds some.

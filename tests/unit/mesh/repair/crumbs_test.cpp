@@ -12,7 +12,7 @@ namespace {
 /// A sheet of area 400, then pieces of two triangles of some area each.
 TriMesh with_pieces(std::size_t count, double area) {
   TriMesh mesh = meshes::flat_grid(20, 20);
-  const TriMesh piece = repairs::scaled(meshes::flat_grid(1, 1), std::sqrt(area));
+  const TriMesh piece = scaled(meshes::flat_grid(1, 1), std::sqrt(area));
   for (std::size_t i = 0; i < count; ++i) {
     TriMesh apart = piece;
     for (Vec3& p : apart.positions)

@@ -109,8 +109,8 @@ TEST(FindInsideOut, TheSmallerAreaIsTurned) {
   for (Vec3& p : small.positions)
     p.x += 6.0;
   for (const double scale : {1e-3, 1.0, 1e3}) {
-    const TriMesh one = repairs::scaled(large, scale);
-    const TriMesh other = turned_over(repairs::scaled(small, scale));
+    const TriMesh one = scaled(large, scale);
+    const TriMesh other = turned_over(scaled(small, scale));
     EXPECT_EQ(inside_out_of({one, other}), std::vector<std::size_t>{1});
     EXPECT_EQ(inside_out_of({other, one}), std::vector<std::size_t>{0});
     EXPECT_EQ(inside_out_of({one, turned_over(one)}), std::vector<std::size_t>{});

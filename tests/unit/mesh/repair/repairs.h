@@ -86,12 +86,6 @@ inline std::array<TriMesh, 3> three_on_one_line() {
   return {one, mirrored(one), third};
 }
 
-inline TriMesh scaled(TriMesh mesh, double factor) {
-  for (Vec3& p : mesh.positions)
-    p = factor * p;
-  return mesh;
-}
-
 /// The triangles in the opposite order, each beginning with its last corner.
 inline TriMesh reordered(TriMesh mesh) {
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());

@@ -139,8 +139,8 @@ def evolve(
             that is
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
-        max_bending: with prefer smooth or flat: bend at most so many times as much as the design; the more, the
-            nearer the surface may stay; 0: as smooth as usual (0 to 1e+06, default 0)
+        max_bending: with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger one
+            lets the surface stay nearer; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
@@ -276,8 +276,8 @@ def evolve_sweeps(
             that is
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
-        max_bending: with prefer smooth or flat: bend at most so many times as much as the design; the more, the
-            nearer the surface may stay; 0: as smooth as usual (0 to 1e+06, default 0)
+        max_bending: with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger one
+            lets the surface stay nearer; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as

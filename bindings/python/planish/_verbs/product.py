@@ -169,8 +169,8 @@ def flatten_product(
         min_angle: no triangle gets an angle below this, or below the smallest one at first if that is smaller, in
             degrees (5 or 5deg; 0 to 60, default 0); or with lambda_min below 0: no triangle gets an angle below this,
             or below its present one if that is smaller, in degrees (5 or 5deg; 0 to 60, default 1)
-        max_bending: with prefer smooth or flat: bend at most so many times as much as the design; the more, the
-            nearer the surface may stay; 0: as smooth as usual (0 to 1e+06, default 0)
+        max_bending: with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger one
+            lets the surface stay nearer; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as

@@ -7,7 +7,7 @@
 #include "commands/commands.h"
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"

@@ -10,7 +10,7 @@
 #include "commands/jobs.h"
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/material_flag.h"

@@ -10,7 +10,7 @@
 #include "commands/commands.h"
 #include "commands/jobs.h"
 #include "flags/annotation_flags.h"
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/unfold_flags.h"

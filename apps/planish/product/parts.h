@@ -7,7 +7,7 @@
 #include <planish/flatten/product.h>
 #include <planish/io/model.h>
 
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "flags/units.h"
 #include "product/product_file.h"
 #include "shell/session.h"

@@ -10,7 +10,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "shell/session.h"
 
 namespace planish::python {

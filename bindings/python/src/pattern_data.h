@@ -10,7 +10,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "flags/cut_flag.h"
+#include "cut/cut_flag.h"
 #include "mesh_data.h"
 #include "output/flatten_files.h"
 #include "shell/command.h"

@@ -1,16 +1,13 @@
-#include "flags/cut_flag.h"
+#include "cut/requested_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <planish/io/read_features.h>
-#include <planish/mesh/cut.h>
 #include <planish/mesh/geodesic.h>
-#include <planish/mesh/imprint.h>
 #include <planish/unfold/suggest_cuts.h>
 
 #include "flags/quantities.h"
@@ -18,41 +15,14 @@
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
-#include "shell/session.h"
-#include "shell/text.h"
 #include "text/lengths.h"
 
 namespace planish::cli {
-
-std::vector<Flag> cut_flags() {
-  Flag cut = {"--cut", "LINES",
-              "cut the surface along lines first: an .obj or a list of vertices, \"plane x=0\", "
-              "\"creases 30deg\", or open: what makes a disk; may be repeated"};
-  cut.accepts.repeats = true;
-  cut.accepts.type = ValueType::file;
-  Flag along = {"--cut-along", "WHAT",
-                "triangles: a line cuts through them; edges: it follows edges of the mesh (default "
-                "triangles)"};
-  along.accepts = {.choices = {"triangles", "edges"}, .standard = "triangles"};
-  Flag smooth = {
-      "--smooth-lines", "ANSWER",
-      "take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)"};
-  smooth.accepts = {.choices = {"yes", "no"}, .standard = "yes"};
-  return {cut, along, smooth};
-}
 
 namespace {
 
 /// Of the diagonal: vertices that are nearer to a plane count as on it.
 constexpr double k_on_plane = 1e-6;
-
-/// Lines that --cut asks for on a mesh.
-struct RequestedLines {
-  std::vector<SurfaceLine> lines;
-  std::vector<std::string> names;      ///< of each, for notes: "lines.obj:3", "plane x=0"
-  std::vector<SourceLocation> places;  ///< of each, for errors
-  std::vector<std::string> notes = {};
-};
 
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
@@ -164,7 +134,8 @@ void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
   add_lines(all, std::move(read), file);
 }
 
-/// The lines of all values of --cut: rows, files, planes, creases, a cut graph.
+}  // namespace
+
 RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
   RequestedLines all;
   if (arguments.rows.contains("--cut")) {
@@ -186,70 +157,6 @@ RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
     }
   }
   return all;
-}
-
-void check_count(const std::vector<SurfaceLine>& lines) {
-  constexpr std::size_t most = 10'000;
-  if (lines.size() <= most) return;
-  throw Error(ErrorCode::too_large, "--cut: there are " + std::to_string(lines.size()) +
-                                        " lines; at most 10,000 can be cut at once");
-}
-
-/// Joins the lines, makes them edges and opens these.
-CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, Session& session,
-                              const ShownLengths& lengths) {
-  const Patch patch(as_in_file(mesh, arguments));
-  RequestedLines asked = requested_lines(patch, arguments);
-  check_count(asked.lines);
-  const double scale = scale_from(arguments);
-  for (const std::string& note : asked.notes)
-    session.note(note);
-  const JoinedLines joined =
-      join_lines(patch, std::move(asked.lines), join_tolerance(patch.mesh()));
-  for (const JoinedEnd& end : joined.joined) {
-    session.note((end.is_last ? "the end of " : "the beginning of ") + asked.names[end.line] +
-                 " is " + lengths.text(scale * end.distance) + " from " +
-                 (end.to ? asked.names[*end.to] : "the border") + "; joined");
-  }
-  const ImprintedMesh imprinted = imprint(Patch(mesh), joined.lines);
-  std::vector<CutPath> paths;
-  for (std::size_t k = 0; k < imprinted.paths.size(); ++k) {
-    if (imprinted.paths[k].size() > 1) paths.push_back({imprinted.paths[k], asked.places[k]});
-  }
-  return cut_open(Patch(imprinted.mesh), paths);
-}
-
-}  // namespace
-
-CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
-                      Session& session) {
-  if (!arguments.has("--cut")) return {std::move(mesh)};
-  const std::string file = arguments.text("--cut");
-  return about(path, [&]() -> CutInput {
-    const ShownLengths lengths(unit_from(arguments));
-    const bool is_through = arguments.text("--cut-along", "triangles") == "triangles";
-    CutLines along;
-    if (!is_through) {
-      along = arguments.rows.contains("--cut")
-                  ? cuts_in(arguments.rows_of("--cut"), mesh)
-                  : read_cuts(path_of(file), as_in_file(mesh, arguments));
-    }
-    CutMesh cut = is_through ? cut_through_triangles(mesh, arguments, session, lengths)
-                             : cut_open(Patch(mesh), along.paths);
-    std::string text =
-        file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
-    if (along.farthest > 0.0) {
-      text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * along.farthest) +
-              " from the vertices that stand for it, and between them the cut follows edges";
-    }
-    session.note(text);
-    return {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
-  });
-}
-
-std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {
-  if (!cut) return {};
-  return {{"cut", {{"edges", cut->edges}, {"length", cut->length}}}};
 }
 
 }  // namespace planish::cli

@@ -22,26 +22,39 @@ Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return a + share * (b - a);
 }
 
+LoopOrder one_loop(std::span<const Vec2> polygon) {
+  const std::size_t size = polygon.size();
+  return LoopOrder(std::span(&size, 1));
+}
+
 }  // namespace
 
 bool crosses_itself(std::span<const Vec2> polygon) {
-  return !crossing_sides(polygon, 1).empty();
+  return crosses_itself(polygon, one_loop(polygon));
+}
+
+bool crosses_itself(std::span<const Vec2> points, const LoopOrder& loops) {
+  return !crossing_sides(points, loops, 1).empty();
 }
 
 std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most) {
-  const std::size_t n = polygon.size();
+  return self_crossings(polygon, one_loop(polygon), most);
+}
+
+std::vector<Vec2> self_crossings(std::span<const Vec2> points, const LoopOrder& loops,
+                                 std::size_t most) {
   std::vector<Vec2> places;
-  for (const auto& [p, q] : crossing_sides(polygon, most)) {
-    places.push_back(crossing(polygon[p], polygon[(p + 1) % n], polygon[q], polygon[(q + 1) % n]));
-  }
+  for (const auto& [p, q] : crossing_sides(points, loops, most))
+    places.push_back(crossing(points[p], points[loops.next(p)], points[q], points[loops.next(q)]));
   return places;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
+std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> points,
+                                                                const LoopOrder& loops,
                                                                 std::size_t most) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   if (most == 0) return pairs;
-  const std::size_t n = polygon.size();
+  const std::size_t n = points.size();
   struct Side {
     Vec2 begin, end;
     double from, to, low, high;  // extent along and across the sweep
@@ -52,7 +65,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const 
   std::vector<Side> sides;
   sides.reserve(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec2 a = polygon[k], b = polygon[(k + 1) % n];
+    const Vec2 a = points[k], b = points[loops.next(k)];
     const Vec2 p{dot(k_direction, a), cross(k_direction, a)};
     const Vec2 q{dot(k_direction, b), cross(k_direction, b)};
     sides.push_back(
@@ -60,8 +73,8 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const 
   }
   std::sort(sides.begin(), sides.end(),
             [](const Side& a, const Side& b) { return a.from < b.from; });
-  const auto neighbours = [n](std::size_t p, std::size_t q) {
-    return (p + 1) % n == q || (q + 1) % n == p;
+  const auto neighbours = [&loops](std::size_t p, std::size_t q) {
+    return loops.next(p) == q || loops.next(q) == p;
   };
   std::vector<const Side*> open;  // that the sweep is passing
   for (const Side& side : sides) {

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include <planish/core/vec.h>
 
+#include "core/neumaier_sum.h"
 #include "geometry/box.h"
 
 namespace planish {
@@ -23,6 +28,50 @@ inline bool is_larger(const CurveSize& a, const CurveSize& b) {
 /// The diagonal of a box.
 inline double diagonal_of(const Box& box) {
   return norm(box.high - box.low);
+}
+
+/// Area of the loop's projection along its mean normal: what it encloses where it lies in a plane.
+inline double enclosed_area(std::span<const Vec3> loop) {
+  NeumaierSum x, y, z;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Vec3 doubled = cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+    x.add(doubled.x);
+    y.add(doubled.y);
+    z.add(doubled.z);
+  }
+  return 0.5 * norm(Vec3{x.value(), y.value(), z.value()});
+}
+
+/// Of a closed loop of vertices.
+inline CurveSize size_of_loop(std::span<const Vec3> positions, std::span<const Index> loop) {
+  CurveSize size;
+  Box box;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    size.length += norm(positions[loop[(k + 1) % loop.size()]] - positions[loop[k]]);
+    box.add(positions[loop[k]]);
+  }
+  size.reach = diagonal_of(box);
+  return size;
+}
+
+/// The number of the outer one of the border loops of one surface: the largest, of equal ones the
+/// first. @pre there is one
+inline std::size_t outer_loop(std::span<const CurveSize> sizes) {
+  std::size_t outer = 0;
+  for (std::size_t k = 1; k < sizes.size(); ++k) {
+    if (is_larger(sizes[k], sizes[outer])) outer = k;
+  }
+  return outer;
+}
+
+/// Of each loop.
+inline std::vector<CurveSize> sizes_of_loops(std::span<const Vec3> positions,
+                                             std::span<const std::vector<Index>> loops) {
+  std::vector<CurveSize> sizes;
+  sizes.reserve(loops.size());
+  for (const std::vector<Index>& loop : loops)
+    sizes.push_back(size_of_loop(positions, loop));
+  return sizes;
 }
 
 }  // namespace planish

@@ -7,7 +7,9 @@
 
 #include "core/neumaier_sum.h"
 #include "geometry/angle_between.h"
+#include "geometry/curve_size.h"
 #include "measure/area.h"
+#include "mesh/border_loops.h"
 
 namespace planish {
 
@@ -58,18 +60,6 @@ double length_of(std::span<const Vec3> loop) {
   return length.value();
 }
 
-/// Area of the loop's projection along its mean normal: what it encloses where it lies in a plane.
-double enclosed_area(std::span<const Vec3> loop) {
-  NeumaierSum x, y, z;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    const Vec3 doubled = cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
-    x.add(doubled.x);
-    y.add(doubled.y);
-    z.add(doubled.z);
-  }
-  return 0.5 * norm(Vec3{x.value(), y.value(), z.value()});
-}
-
 /// Total curvature of the loop as a curve in space.
 double curvature_of(std::span<const Vec3> loop) {
   const std::size_t n = loop.size();
@@ -77,18 +67,6 @@ double curvature_of(std::span<const Vec3> loop) {
   for (std::size_t i = 0; i < n; ++i)
     sum.add(angle_between(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]));
   return sum.value();
-}
-
-/// theta_b: the ring of a border vertex is open.
-double border_angle(const Patch& patch, double scale, Index b) {
-  const auto ring = patch.ring(b);
-  const auto spoke = [&](std::size_t j) {
-    return scale * patch.positions()[ring[j]] - scale * patch.positions()[b];
-  };
-  double sum = 0.0;
-  for (std::size_t j = 0; j + 1 < ring.size(); ++j)
-    sum += angle_between(spoke(j), spoke(j + 1));
-  return sum;
 }
 
 bool is_fixed_angle(const Connectivity& connectivity, Index b) {
@@ -131,7 +109,7 @@ std::optional<Obstruction> find_obstruction(const Patch& patch) {
   for (const double defect : angle_defects(patch))
     defects.add(defect);
   for (const Index b : loop) {
-    turning.add(std::numbers::pi - border_angle(patch, scale, b));
+    turning.add(std::numbers::pi - border_angle(patch.positions(), patch.connectivity(), scale, b));
     if (is_fixed_angle(patch.connectivity(), b)) ++obstruction.fixed_angles;
   }
   obstruction.total_defect = defects.value();

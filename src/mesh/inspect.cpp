@@ -9,6 +9,7 @@
 
 #include "core/number_text.h"
 #include "geometry/curve_size.h"
+#include "mesh/border_loops.h"
 #include "mesh/inspect_manifold.h"
 #include "mesh/manifold_defects.h"
 
@@ -179,17 +180,6 @@ std::size_t edge_count(const Connectivity& connectivity) {
   return ends / 2;
 }
 
-CurveSize size_of_loop(const TriMesh& mesh, const std::vector<Index>& loop) {
-  CurveSize size;
-  Box box;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    size.length += norm(mesh.positions[loop[(k + 1) % loop.size()]] - mesh.positions[loop[k]]);
-    box.add(mesh.positions[loop[k]]);
-  }
-  size.reach = diagonal_of(box);
-  return size;
-}
-
 /// At least the value, with three digits that matter.
 double rounded_up(double value) {
   double scale = 1.0;
@@ -200,23 +190,39 @@ double rounded_up(double value) {
   return (std::floor(value * scale) + 1.0) / scale;
 }
 
-/// How the holes of a patch could be closed, where they are much shorter than its border.
-std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>& loops,
-                      std::size_t parts) {
-  constexpr double k_short = 0.5;  // of the border
-  std::vector<CurveSize> sizes(loops.size());
-  std::transform(loops.begin(), loops.end(), sizes.begin(),
-                 [&mesh](const auto& loop) { return size_of_loop(mesh, loop); });
-  const auto outer = std::max_element(sizes.begin(), sizes.end(),
-                                      [](const auto& a, const auto& b) { return is_larger(b, a); });
-  double hole = 0.0;
-  for (auto size = sizes.begin(); size != sizes.end(); ++size) {
-    if (size != outer) hole = std::max(hole, size->length);
+/// Border loops that are no holes in the plane.
+void find_tubes(const TriMesh& mesh, const Connectivity& connectivity, const Topology& topology,
+                std::vector<Problem>& problems) {
+  const auto& loops = connectivity.border_loops();
+  if (topology.components != 1 || loops.size() < 2) return;
+  const double scale = unit_scale(mesh);
+  const std::vector<CurveSize> sizes = sizes_of_loops(mesh.positions, loops);
+  const std::size_t outer = outer_loop(sizes);
+  std::vector<std::size_t> ends, slits;
+  double slit = 0.0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (k == outer) continue;
+    if (is_slit(mesh.positions, scale, loops[k])) {
+      slits.push_back(k);
+      slit = std::max(slit, sizes[k].length);
+    } else if (is_tube_end(border_turning(mesh.positions, connectivity, scale, loops[k]))) {
+      ends.push_back(k);
+    }
   }
-  const bool are_holes = parts == 1 && std::isnormal(hole) && hole < k_short * outer->length;
-  if (!are_holes) return {};
-  return "; if its holes are not meant, --fill-holes " + number_text(rounded_up(hole)) +
-         " closes them";
+  const auto vertex = [&](const std::vector<std::size_t>& some) { return loops[some[0]].front(); };
+  if (!slits.empty()) {
+    add(problems, ErrorCode::several_border_loops,
+        "a seam inside the mesh is open: " +
+            counted(slits.size(), "border loop encloses", "border loops enclose") +
+            " nothing, the first with vertex " + std::to_string(vertex(slits)) + "; --fill-holes " +
+            number_text(rounded_up(slit)) + " joins it",
+        slits.size(), vertex(slits));
+  } else if (!ends.empty()) {
+    add(problems, ErrorCode::several_border_loops,
+        "the surface is a tube: the border loop with vertex " + std::to_string(vertex(ends)) +
+            " goes around it and is no hole in flat sheet; --cut open opens it",
+        ends.size(), vertex(ends));
+  }
 }
 
 void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, Inspection& result) {
@@ -254,13 +260,7 @@ void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, In
             std::to_string(parts.first_of(1)) + "; a pattern is made from one",
         parts.count, parts.first_of(1));
   }
-  if (loops.size() > parts.count - closed) {
-    add(result.problems, ErrorCode::several_border_loops,
-        "the patch has " + std::to_string(loops.size()) + " border loops, with vertices " +
-            std::to_string(loops[0].front()) + " and " + std::to_string(loops[1].front()) +
-            "; only one with a single loop can be laid flat" + hole_text(mesh, loops, parts.count),
-        loops.size(), loops[0].front());
-  }
+  find_tubes(mesh, connectivity, topology, result.problems);
   add(result.problems, ErrorCode::handles,
       "the patch has " + counted(topology.genus, "handle", "handles") + " (Euler characteristic " +
           std::to_string(topology.euler_characteristic) + "); only a disk can be laid flat",

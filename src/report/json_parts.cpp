@@ -92,6 +92,10 @@ void to_json(Json& json, const OpenedCrossings& opened) {
           {"vertex", opened.vertex}};
 }
 
+void to_json(Json& json, const PatternHoles& holes) {
+  json = {{"count", holes.count}, {"longest", holes.longest}};
+}
+
 void to_json(Json& json, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   json = {{"strain", report.strain},
@@ -100,6 +104,7 @@ void to_json(Json& json, const UnfoldReport& report) {
           {"overlaps", pattern.overlaps},
           {"overlap", report.overlap},
           {"opened", pattern.opened},
+          {"holes", pattern.holes},
           {"width", pattern.width},
           {"height", pattern.height},
           {"unit", to_string(report.unit)},
@@ -144,6 +149,8 @@ void to_json(Json& json, const MeasuredPatch& patch) {
           {"e_avg", figures.e_avg},
           {"energy", figures.energy},
           {"sum_abs_defect", figures.sum_abs_defect},
+          {"hole_turning", figures.hole_turning},
+          {"hole_gap", figures.hole_gap},
           {"min_angle", figures.min_angle},
           {"roughness", figures.roughness},
           {"flattenable", patch.flattenable},

@@ -24,8 +24,9 @@ namespace planish {
 namespace {
 
 // line_words() names these colours.
-constexpr Stroke k_cut{sheet::k_cut_color}, k_seam{sheet::k_seam_color, 0.25, true},
-    k_notch{sheet::k_notch_color}, k_grain{sheet::k_grain_color}, k_drill{sheet::k_drill_color},
+constexpr Stroke k_cut{sheet::k_cut_color}, k_hole{sheet::k_hole_color},
+    k_seam{sheet::k_seam_color, 0.25, true}, k_notch{sheet::k_notch_color},
+    k_grain{sheet::k_grain_color}, k_drill{sheet::k_drill_color},
     k_internal{sheet::k_internal_color}, k_fold{sheet::k_fold_color, 0.35, true};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
@@ -322,6 +323,7 @@ PatternGeometry annotated(PatternGeometry pattern, const TriMesh& mesh) {
 }
 
 std::vector<Layer> piece_layers(const PatternGeometry& pattern) {
+  CutPaths cut = cut_paths(pattern, k_cut, k_hole);
   return {outline_layer("seam", seam_paths(pattern, k_seam)),
           notch_layer(pattern),
           grain_layer(pattern.grain),
@@ -329,14 +331,16 @@ std::vector<Layer> piece_layers(const PatternGeometry& pattern) {
           drill_layer(pattern),
           layer_of("internal", pattern.inner_lines, k_internal),
           {"annotation", {pattern.texts.begin(), pattern.texts.end()}},
-          outline_layer("cut", cut_paths(pattern, k_cut))};
+          outline_layer("hole", std::move(cut.holes)),
+          outline_layer("cut", std::move(cut.outer))};
 }
 
 std::string line_words(std::span<const Layer> layers) {
   struct Words {
     std::string_view layer, text;
   };
-  constexpr std::array<Words, 7> k_words = {{{"cut", "red: cut"},
+  constexpr std::array<Words, 8> k_words = {{{"cut", "red: cut"},
+                                             {"hole", "olive: cut out"},
                                              {"seam", "grey: sew"},
                                              {"notch", "pink: notch"},
                                              {"grain", "green: grain"},

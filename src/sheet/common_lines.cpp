@@ -154,9 +154,9 @@ void leave_out_drawn(Layer& layer, std::vector<PieceLines>& drawn, bool is_drawn
 
 Drawing without_common_lines(Drawing layout) {
   std::vector<PieceLines> cut;
-  for (const std::string_view name : {"cut", "label"}) {
+  for (const std::string_view name : {"cut", "hole", "label"}) {
     for (Layer& layer : layout.layers) {
-      if (layer.name == name) leave_out_drawn(layer, cut, name == "cut");
+      if (layer.name == name) leave_out_drawn(layer, cut, name != "label");
     }
   }
   return layout;

@@ -70,7 +70,7 @@ Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string&
   const PatternGeometry pattern = pattern_geometry(opened.mesh(), report, name);
   Drawing sheet = pattern_sheet(opened.mesh(), report, pattern);
   for (Layer& layer : sheet.layers) {
-    if (layer.name != "cut") continue;
+    if (layer.name != "cut" && layer.name != "hole") continue;
     for (DrawingShape& shape : layer.shapes)
       std::get<Path>(shape).stroke = Stroke{k_outline_gray};
   }

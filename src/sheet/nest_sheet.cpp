@@ -122,7 +122,7 @@ NestPatch mirror_image(NestPatch patch) {
 std::vector<Layer> empty_piece_layers() {
   std::vector<Layer> layers;
   for (const char* name :
-       {"seam", "notch", "grain", "fold", "drill", "internal", "annotation", "cut"})
+       {"seam", "notch", "grain", "fold", "drill", "internal", "annotation", "hole", "cut"})
     layers.push_back({name, {}});
   return layers;
 }

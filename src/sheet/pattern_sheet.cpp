@@ -63,10 +63,11 @@ Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   sheet.layers.push_back(map_layer(mesh, unfold, pattern.positions));
   std::vector<Layer> of_piece = piece_layers(pattern);
   const std::string lines = line_words(of_piece);
-  std::move(of_piece.begin(), of_piece.end() - 1, std::back_inserter(sheet.layers));
+  const auto cut = of_piece.end() - 2;  // holes and outline, over all
+  std::move(of_piece.begin(), cut, std::back_inserter(sheet.layers));
   sheet.layers.push_back(sheet_label(unfold, pattern, lines));
   sheet.layers.push_back(map_legend(unfold));
-  sheet.layers.push_back(std::move(of_piece.back()));  // the cut line, over all
+  std::move(cut, of_piece.end(), std::back_inserter(sheet.layers));
   sheet.notes = sheet_notes(unfold, pattern, lines);
   return sheet;
 }

@@ -22,6 +22,6 @@ inline constexpr Color k_cut_color = {255, 0, 0}, k_seam_color = {80, 80, 80},
                        k_fold_color = {230, 120, 0}, k_drill_color = {0, 0, 255},
                        k_internal_color = {0, 160, 160}, k_annotation_color = {0, 0, 0},
                        k_label_color = {127, 63, 0}, k_warning_color = {165, 0, 0},
-                       k_legend_color = {82, 0, 165};
+                       k_legend_color = {82, 0, 165}, k_hole_color = {127, 127, 0};
 
 }  // namespace planish::sheet

@@ -37,8 +37,9 @@ Contact contact(std::span<const Vec2> line, std::size_t vertex, std::size_t begi
 }
 
 /// Of two sides that cross, one end of each lies behind the other: the one that is less deep.
-Contact shallow_contact(std::span<const Vec2> line, std::size_t p, std::size_t q) {
-  const std::size_t n = line.size(), p_end = (p + 1) % n, q_end = (q + 1) % n;
+Contact shallow_contact(std::span<const Vec2> line, const LoopOrder& loops, std::size_t p,
+                        std::size_t q) {
+  const std::size_t p_end = loops.next(p), q_end = loops.next(q);
   const std::array<Contact, 4> contacts = {
       contact(line, p, q, q_end), contact(line, p_end, q, q_end), contact(line, q, p, p_end),
       contact(line, q_end, p, p_end)};
@@ -58,14 +59,14 @@ void resolve(const Contact& c, double gap, std::vector<Vec2>& line) {
 }
 
 /// The outline without crossings; empty where vertices would have to move by more than `most`.
-std::vector<Vec2> opened(std::vector<Vec2> line, double most) {
+std::vector<Vec2> opened(std::vector<Vec2> line, const LoopOrder& loops, double most) {
   const std::vector<Vec2> before = line;
   for (int round = 0; round < k_most_opening_rounds; ++round) {
-    const auto crossings = crossing_sides(line, k_most_crossings + 1);
+    const auto crossings = crossing_sides(line, loops, k_most_crossings + 1);
     if (crossings.empty()) return line;
     if (crossings.size() > k_most_crossings) return {};
     for (const auto& [p, q] : crossings) {
-      const Contact shallow = shallow_contact(line, p, q);
+      const Contact shallow = shallow_contact(line, loops, p, q);
       if (!(shallow.depth <= 2.0 * most)) return {};
       resolve(shallow, k_gap * most, line);
       for (const std::size_t k : {shallow.vertex, shallow.begin, shallow.end}) {
@@ -80,10 +81,10 @@ std::vector<Vec2> opened(std::vector<Vec2> line, double most) {
 
 std::optional<OpenBorder> open_border(const Disk& disk, std::span<const Vec2> flat, double most) {
   const std::vector<Vec2> outline = border_of(disk, flat);
-  const std::vector<Vec2> apart = opened(outline, most);
+  const std::vector<Vec2> apart = opened(outline, disk.loops, most);
   if (apart.empty()) return std::nullopt;
   OpenBorder result{{flat.begin(), flat.end()},
-                    crossing_sides(outline, k_most_crossings).size(),
+                    crossing_sides(outline, disk.loops, k_most_crossings).size(),
                     0.0,
                     disk.border.front()};
   for (std::size_t k = 0; k < apart.size(); ++k) {

@@ -11,15 +11,14 @@ namespace planish {
 std::optional<Overlap> overlap_of(const Patch& patch, const Pattern& pattern) {
   if (!pattern.overlaps) return std::nullopt;
   constexpr std::size_t most = 1000;
-  std::vector<Vec2> places;
+  std::vector<Vec2> border;
+  std::vector<std::size_t> sizes;
   for (const std::vector<Index>& loop : patch.border_loops()) {
-    std::vector<Vec2> line;
-    line.reserve(loop.size());
+    sizes.push_back(loop.size());
     for (const Index v : loop)
-      line.push_back(pattern.positions[v]);
-    const std::vector<Vec2> here = self_crossings(line, most - places.size());
-    places.insert(places.end(), here.begin(), here.end());
+      border.push_back(pattern.positions[v]);
   }
+  const std::vector<Vec2> places = self_crossings(border, LoopOrder(sizes), most);
   if (places.empty()) return std::nullopt;
   Overlap overlap{places.front(), places.front(), places.size()};
   for (const Vec2 p : places) {

@@ -9,7 +9,6 @@
 
 #include "core/job.h"
 #include "core/neumaier_sum.h"
-#include "geometry/crosses_itself.h"
 #include "mesh/match/symmetric_whole.h"
 #include "unfold/disk/disk.h"
 #include "unfold/open_border.h"
@@ -30,16 +29,48 @@ namespace {
 /// Above, the sparse factor takes more than some 5 GB.
 constexpr std::size_t k_most_vertices = 2'000'000;
 
-/// The conformal start where it is sound, else one that always is.
-std::vector<Vec2> find_start(const Disk& disk, ThreadPool& pool) {
-  std::vector<Vec2> flat = conformal_start(disk, pool);
-  if (!flat.empty() && all_upright(disk, flat)) return flat;
-  flat = tutte_start(disk, pool);
-  if (all_upright(disk, flat)) return flat;
-  throw Error(ErrorCode::unfold_failed,
-              "the patch cannot be laid flat: its inner vertices come too close together when the "
-              "border is spread out; cut it, or remesh it more evenly");
-}
+/// Starts of a disk, perhaps with holes, from those of one without.
+class Starts {
+ public:
+  /// @param disk must outlive it, as must the pool
+  Starts(const Patch& patch, const Disk& disk, ThreadPool& pool)
+      : disk_(disk), filled_(with_holes_filled(disk, patch)), pool_(pool) {}
+
+  /// The conformal start where it is sound, else one that always is.
+  std::vector<Vec2> find() const {
+    std::vector<Vec2> flat = of_disk(conformal_start(without_holes(), pool_));
+    if (is_sound(flat)) return flat;
+    flat = of_disk(tutte_start(without_holes(), pool_));
+    if (is_sound(flat)) return flat;
+    throw Error(ErrorCode::unfold_failed,
+                "the patch cannot be laid flat: its inner vertices come too close together when "
+                "the border is spread out; cut it, or remesh it more evenly");
+  }
+
+  /// With the outer border on a circle; nothing where that is not sound.
+  std::optional<std::vector<Vec2>> on_circle(const BorderLengths& lengths) const {
+    const auto outer = std::span(lengths.of_edges).first(disk_.outer_border().size());
+    std::vector<Vec2> flat = of_disk(circle_start(without_holes(), outer, pool_));
+    if (!is_sound(flat)) return std::nullopt;
+    return flat;
+  }
+
+ private:
+  const Disk& without_holes() const { return filled_ ? *filled_ : disk_; }
+
+  std::vector<Vec2> of_disk(std::vector<Vec2> flat) const {
+    if (!flat.empty()) flat.resize(disk_.vertex_count);
+    return flat;
+  }
+
+  bool is_sound(const std::vector<Vec2>& flat) const {
+    return !flat.empty() && all_upright(disk_, flat) && holes_are_open(disk_, flat);
+  }
+
+  const Disk& disk_;
+  std::optional<Disk> filled_;
+  ThreadPool& pool_;
+};
 
 /// Those that border edges have in the mesh.
 BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
@@ -48,7 +79,7 @@ BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
   if (free_edges.empty()) return lengths;
   const FreeEdges free(free_edges);
   for (std::size_t k = 0; k < disk.border.size(); ++k) {
-    const Index from = disk.border[k], to = disk.border[(k + 1) % disk.border.size()];
+    const auto [from, to] = disk.border_edge(k);
     lengths.is_free.push_back(free.has(disk.vertex_of[from], disk.vertex_of[to]) ? 1 : 0);
   }
   return lengths;
@@ -56,9 +87,9 @@ BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
 
 /// Goes on from the pattern of least stretch to the one that keeps the border's lengths; nothing
 /// where none is found.
-std::optional<LeastStretch> with_matched_border(const Disk& disk, const HeldBorder& border,
-                                                const LeastStretch& least, int max_iterations,
-                                                ThreadPool& pool,
+std::optional<LeastStretch> with_matched_border(const Disk& disk, const Starts& starts,
+                                                const HeldBorder& border, const LeastStretch& least,
+                                                int max_iterations, ThreadPool& pool,
                                                 const std::function<void()>& after_step) {
   int steps = least.iterations;
   const auto count = [&] {
@@ -67,9 +98,8 @@ std::optional<LeastStretch> with_matched_border(const Disk& disk, const HeldBord
   };
   MatchedBorder matched = match_border(disk, border, least.flat, max_iterations, pool, count);
   if (!matched.matched) {
-    std::vector<Vec2> start = circle_start(disk, border.lengths.of_edges, pool);
-    if (all_upright(disk, start))
-      matched = match_border(disk, border, std::move(start), max_iterations, pool, count);
+    if (auto start = starts.on_circle(border.lengths))
+      matched = match_border(disk, border, *std::move(start), max_iterations, pool, count);
   }
   if (!matched.matched) return std::nullopt;
   matched.result.iterations = steps;
@@ -150,6 +180,19 @@ std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
   return positions;
 }
 
+std::optional<PatternHoles> holes_of(const Patch& patch, const Disk& disk) {
+  if (disk.hole_count() == 0) return std::nullopt;
+  PatternHoles holes{disk.hole_count(), 0.0};
+  const std::vector<double> sides = border_lengths(patch.mesh(), disk);
+  for (std::size_t hole = 1; hole < disk.loops.count(); ++hole) {
+    double length = 0.0;
+    for (std::size_t k = disk.loops.begin(hole); k < disk.loops.end(hole); ++k)
+      length += sides[k];
+    holes.longest = std::max(holes.longest, in_model_units(disk, {length, 0.0}).x);
+  }
+  return holes;
+}
+
 /// The pattern with its positions, which begin in the units of the disk.
 Pattern placed(Pattern pattern, const Patch& patch, const Disk& disk, std::vector<Vec2> flat) {
   const std::vector<Vec2> outline = border_of(disk, flat);
@@ -161,6 +204,7 @@ Pattern placed(Pattern pattern, const Patch& patch, const Disk& disk, std::vecto
     if (!(doubled > 0.0)) ++pattern.flipped_triangles;
   }
   pattern.area_ratio = area.value();  // the disk has area 1
+  pattern.holes = holes_of(patch, disk);
   pattern.positions.resize(patch.vertex_count());
   for (std::size_t v = 0; v < places.size(); ++v) {
     const Vec2 p = in_model_units(disk, places[v]);
@@ -209,7 +253,7 @@ Pattern unfold_half(const Patch& half, const SymmetricWhole& whole, const Unfold
     images[v] = pattern.positions[whole.image[v]];
   std::vector<Vec2> flat =
       symmetric_mean(in_disk_units(disk, pattern.positions), in_disk_units(disk, images));
-  pattern.overlaps = pattern.overlaps || crosses_itself(border_of(disk, flat));
+  pattern.overlaps = pattern.overlaps || border_crosses_itself(disk, flat);
   pattern.width = pattern.height = 0.0;
   pattern.flipped_triangles = 0;
   return placed(std::move(pattern), half, disk, std::move(flat));
@@ -240,7 +284,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || options.limits.any() || !options.least_stretch;
   PartsOfJob parts(context);
-  std::vector<Vec2> start = find_start(disk, pool);
+  const Starts starts(patch, disk, pool);
+  std::vector<Vec2> start = starts.find();
   pool.stop_if_cancelled();
   std::unique_ptr<StretchSystem> system = make_system(disk, nullptr, pool);
   pool.stop_if_cancelled();
@@ -255,7 +300,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   if (options.match_seams) {
     border.emplace(disk, wanted_lengths(patch.mesh(), disk, options.free_edges), flat.flat);
     auto matched =
-        with_matched_border(disk, *border, flat, options.max_iterations, pool, after_step);
+        with_matched_border(disk, starts, *border, flat, options.max_iterations, pool, after_step);
     if (matched) {
       pattern.unmatched_least_stretch = in_mesh_order(patch, disk, flat.flat);
       flat = *std::move(matched);
@@ -286,7 +331,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
 
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
-  pattern.overlaps = crosses_itself(border_of(disk, flat.flat));
+  pattern.overlaps = border_crosses_itself(disk, flat.flat);
   if (pattern.overlaps && held == nullptr) {
     const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
     const double most = std::min(wanted, k_most_opened);

@@ -150,7 +150,7 @@ class LimitedUnfolding {
     for (std::size_t k = 0; k < disk_.border.size(); ++k) {
       if (border_->lengths.may_change(k)) continue;
       const std::pair<Index, Index> ends =
-          std::minmax(disk_.border[k], disk_.border[(k + 1) % disk_.border.size()]);
+          std::minmax(disk_.border[k], disk_.border[disk_.loops.next(k)]);
       const auto found = std::lower_bound(edges_.begin(), edges_.end(), ends, before);
       is_held[static_cast<std::size_t>(found - edges_.begin())] = 1;
     }

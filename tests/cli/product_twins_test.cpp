@@ -78,7 +78,7 @@ Lines svg_layer(const std::string& path, const std::string& name) {
 /// The lines of the PDF's last layer, "cut".
 Lines pdf_cut(const std::string& path) {
   const std::string pdf = content_of(path);
-  const std::size_t begin = pdf.find("/OC /L10 BDC");
+  const std::size_t begin = pdf.find("/OC /L11 BDC");
   std::istringstream words(pdf.substr(begin, pdf.find("EMC", begin) - begin));
   Lines lines;
   std::vector<double> numbers;

@@ -3,11 +3,17 @@
 
 #include "support/odd_files.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
+
+#include <planish/core/vec.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include <gmock/gmock.h>
 
 #include "cli/cli_run.h"
+#include "io/read_drawing.h"
 
 namespace planish::cli {
 namespace {
@@ -61,8 +67,6 @@ TEST_F(OddFiles, NameTheWayOn) {
       {"split_at_texture_islands.ply", {"3 pieces touch along whole borders", "--weld"}},
       {"thick_shell_2mm.obj", {"a wall of 2.0 mm: --side outer or --side inner takes one side"}},
       {"two_sheets_2mm_apart.obj", {"a wall of 2.0 mm: --side outer or --side inner"}},
-      {"one_triangle_missing.obj", {"--fill-holes 37.4 closes them"}},
-      {"dropouts_touch_at_vertex.obj", {"--fill-holes "}},
       {"panel_and_helper_cubes.obj", {"holds 7 pieces (suit_front, joint-0", "--only NAME"}},
   };
   for (const auto& [file, words] : said) {
@@ -71,6 +75,46 @@ TEST_F(OddFiles, NameTheWayOn) {
     EXPECT_EQ(unfold.exit_code, k_exit_failed) << file;
     for (const std::string& word : words)
       EXPECT_THAT(unfold.err, HasSubstr(word)) << file;
+  }
+}
+
+/// Width and height of each closed line of a layer of an .svg.
+std::vector<Vec2> sizes_on(const std::string& path, std::string_view layer) {
+  std::vector<Vec2> sizes;
+  for (const SvgLine& line : read_svg(path, k_sheet_layers).lines) {
+    if (line.layer != layer) continue;
+    Vec2 low = line.points.front(), high = low;
+    for (const Vec2 p : line.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    sizes.push_back(high - low);
+  }
+  return sizes;
+}
+
+// An arc of 314.12 as it is meshed, by 200, with two windows.
+TEST_F(OddFiles, KeepTheirHoles) {
+  const std::string path = odd_file("windows_two_mirrored.obj");
+  const CliResult flatten = run_on(path, {"flatten", "-o", "out", "--json"}, {});
+  ASSERT_EQ(flatten.exit_code, k_exit_done) << flatten.err;
+  EXPECT_THAT(flatten.err, HasSubstr("the patch has 2 holes, which stay"));
+  EXPECT_EQ(flatten.json()["unfold"]["holes"]["count"], 2);
+  EXPECT_NEAR(flatten.json()["evolve"]["before"]["border_length"].get<double>(), 1519.5, 0.05);
+  const std::vector<Vec2> outer = sizes_on("out/pattern.svg", "cut");
+  const std::vector<Vec2> holes = sizes_on("out/pattern.svg", "hole");
+  ASSERT_EQ(outer.size(), 1U);
+  ASSERT_EQ(holes.size(), 2U);
+  EXPECT_NEAR(outer[0].x, 314.12, 0.01);
+  EXPECT_NEAR(outer[0].y, 200.0, 0.01);
+  for (const Vec2 hole : holes) {
+    EXPECT_NEAR(hole.x, 62.82, 0.01);
+    EXPECT_NEAR(hole.y, 60.0, 0.01);
+  }
+  for (const char* file : {"one_triangle_missing.obj", "dropouts_touch_at_vertex.obj"}) {
+    const CliResult unfold = run_on(odd_file(file), {"unfold", "-o", "flat.svg"}, {});
+    EXPECT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
+    EXPECT_THAT(unfold.err, HasSubstr("not meant, --fill-holes ")) << file;
   }
 }
 

@@ -83,7 +83,9 @@ std::vector<std::vector<Vec2>> lines_on(const SvgDrawing& drawing, std::string_v
 /// By the outline where an allowance surrounds it, else by what is cut.
 Vec2 origin_in(const SvgDrawing& drawing, const Patch& flat, Unit unit, const std::string& path) {
   const std::vector<std::vector<Vec2>> seam = lines_on(drawing, "seam");
-  const std::vector<std::vector<Vec2>> cut = lines_on(drawing, "cut");
+  std::vector<std::vector<Vec2>> cut = lines_on(drawing, "cut");
+  for (std::vector<Vec2>& hole : lines_on(drawing, "hole"))
+    cut.push_back(std::move(hole));
   if (seam.empty()) return origin_on_sheet(cut, {}, flat, unit, path);
   const bool is_whole = std::all_of(seam.begin(), seam.end(), [](const std::vector<Vec2>& line) {
     return line.front() == line.back();

@@ -9,8 +9,8 @@
 #include "batch/several_files.h"
 #include "commands/commands.h"
 #include "commands/jobs.h"
-#include "flags/annotation_flags.h"
 #include "cut/cut_flag.h"
+#include "flags/annotation_flags.h"
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/unfold_flags.h"
@@ -216,9 +216,9 @@ Command unfold_command() {
       "INPUT ... -o OUTPUT",
       "Lays a patch flat with its stretch spread and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
-      "one and ends with exit code 3. The patch must be a topological disk: one piece, one border, "
-      "no handle. "
-      "--cut opens one that is none. Of several inputs, or of all mesh files of a folder, prints a "
+      "one and ends with exit code 3. The patch must be one piece without handles, and no tube: "
+      "--cut "
+      "open opens these; holes stay. Of several inputs, or of all mesh files of a folder, prints a "
       "line each and writes the patterns into the folder OUTPUT; with --csv they may be left out. "
       "One that fails does not end the others, but the exit code is 1 at the end.",
       {"INPUT"},

@@ -39,6 +39,7 @@ std::optional<Allowance> allowance_from(const Arguments& arguments) {
   if (arguments.has("--corners")) {
     allowance.corners = value_named("kind of corners", arguments.text("--corners"), k_corners);
   }
+  allowance.holes = arguments.text("--hole-allowance", "yes") == "yes";
   return allowance;
 }
 
@@ -132,6 +133,7 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
     }
   };
   check("--corners", "--allowance");
+  check("--hole-allowance", "--allowance");
   check("--edge-allowances", "--allowance");
   if (!arguments.has("--seam-notches")) check("--notch-depth", "--notches");
   if (writes_sheet) return;
@@ -158,6 +160,12 @@ FlagGroup annotation_flags() {
         0,
         false,
         {.choices = names_of(k_corners), .standard = std::string(to_string(k_corners.front()))}},
+       {"--hole-allowance",
+        "ANSWER",
+        "whether holes get the allowance too, inwards: yes or no (default yes)",
+        0,
+        false,
+        {.choices = {"yes", "no"}, .standard = "yes"}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--fold", "V,W",

@@ -56,6 +56,19 @@ bool is_our_folder(const fs::path& path) {
   return fs::is_regular_file(path / path_of("job.json"), failure);
 }
 
+/// Where --only-layers has what is cut but for the holes.
+void note_holes_left_out(Session& session, const Drawing& drawing, const PatternOutput& output) {
+  const auto has = [&](const std::string& name) {
+    return std::find(output.only_layers.begin(), output.only_layers.end(), name) !=
+           output.only_layers.end();
+  };
+  const bool has_holes =
+      std::any_of(drawing.layers.begin(), drawing.layers.end(),
+                  [](const Layer& layer) { return layer.name == "hole" && !layer.shapes.empty(); });
+  if (has_holes && has("cut") && !has("hole"))
+    session.note("--only-layers: holes are on a layer of their own: cut,hole has all that is cut");
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(const std::string& name, const PieceLabel& label) {
@@ -82,6 +95,7 @@ void note_spelling(Session& session, const std::vector<std::string>& words,
 }
 
 void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output) {
+  note_holes_left_out(session, drawing, output);
   std::vector<std::string> empty, there;
   for (const Layer& layer : drawing.layers) {
     const bool is_map = layer.name == "strain" || layer.name == "legend";
@@ -172,6 +186,17 @@ std::string opened_text(const UnfoldReport& report) {
          lengths.text(place.y) + ")";
 }
 
+std::string holes_text(const PatternHoles& holes, Unit unit) {
+  const ShownLengths lengths(unit);
+  constexpr double k_enough = 1.01;  // more than the digits that are shown leave out
+  const bool is_one = holes.count == 1;
+  return "the patch has " + counted(holes.count, "hole") + ", which " +
+         (is_one ? "stays" : "stay") + "; the longest border of one is " +
+         lengths.text(holes.longest) + ". If " + (is_one ? "it is" : "they are") +
+         " not meant, --fill-holes " + lengths.number(k_enough * holes.longest) +
+         std::string(to_string(unit)) + " closes " + (is_one ? "it" : "them");
+}
+
 }  // namespace
 
 void note_plotter_reach(Session& session, const UnfoldReport& report) {
@@ -191,6 +216,7 @@ void warn_of_pattern(Session& session, const UnfoldReport& report, bool is_unit_
                  ", and gets no seam allowance: cut the patch open before cutting material");
   }
   if (pattern.opened) session.note(opened_text(report));
+  if (pattern.holes) session.note(holes_text(*pattern.holes, report.unit));
   if (pattern.flipped_triangles > 0) {
     session.warn(counted(pattern.flipped_triangles, "triangle") +
                  " of the pattern are flipped over: do not cut it");

@@ -25,7 +25,7 @@ void note_spelling(Session& session, const std::vector<std::string>& words,
                    const std::vector<PatternFormat>& formats, const PatternOutput& output);
 
 /// Notes which of the layers that alone are written (--only-layers) have nothing on them in a
-/// drawing, and which layers have.
+/// drawing, which layers have, and whether holes are left out of what is cut.
 void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output);
 
 /// Notes which .pdf files are longer than a page can be: they are divided into pages, or too large

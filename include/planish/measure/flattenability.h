@@ -38,17 +38,21 @@ struct Flattenability {
   double sum_abs_defect = 0.0;  ///< sum of |d_v|, radians: does not depend on mesh density
   double min_angle = 0.0;       ///< smallest angle of a triangle, radians
   double roughness = 0.0;       ///< rms dihedral angle over inner edges, degrees
+  /// The most that the border of a hole, laid out in the plane edge by edge, lacks of a whole turn,
+  /// radians, and of coming back to where it begins, in lengths of it. 0 without holes.
+  double hole_turning = 0.0, hole_gap = 0.0;
 };
 
 /// Measures a patch. Sums run in the order of the vertices: the same bits every time.
 Flattenability measure(const Patch& patch);
 
-/// The first four figures from defects that are at hand.
+/// The four figures of defects from defects that are at hand.
 /// @param defects as from angle_defects(): what is not inner has 0
 Flattenability summarise_defects(std::span<const double> defects, std::size_t inner_vertices);
 
-/// True where the pattern will have no stretch worth cutting for: a topological disk with
-/// e_max <= k_flattenable_e_max and sum_abs_defect <= k_flattenable_sum. The second bound is there
+/// True where the pattern will have no stretch worth cutting for: a topological disk, perhaps with
+/// holes, with e_max <= k_flattenable_e_max and sum_abs_defect, hole_turning and hole_gap <=
+/// k_flattenable_sum. The second bound is there
 /// as e_max alone falls with mesh density on one and the same curved surface (docs/notation.md).
 bool is_flattenable(const Flattenability& figures, const Inspection& inspection);
 /// Largest e_max of what is flattenable, radians.

@@ -40,7 +40,7 @@ Inspection inspect(const TriMesh& mesh);
 enum class Purpose {
   measure,  ///< finite, manifold, consistently oriented, no edge of length zero
   evolve,   ///< and with a border, as something must hold the surface
-  unfold,   ///< and a topological disk: one component, one border loop, no handle
+  unfold,   ///< and a topological disk, perhaps with holes: one component, no handle, no tube
 };
 
 /// The first problem that stands in the way of the purpose, if any does.

@@ -13,9 +13,9 @@ namespace planish {
 
 /// The layers of pattern_sheet(), in the order that they are drawn: what is cut comes last, as it
 /// frees the piece. All are always there, and the lines and words of no two of them share a colour.
-inline constexpr std::array<std::string_view, 11> k_sheet_layers = {
+inline constexpr std::array<std::string_view, 12> k_sheet_layers = {
     "strain",   "seam",       "notch", "grain",  "fold", "drill",
-    "internal", "annotation", "label", "legend", "cut"};
+    "internal", "annotation", "label", "legend", "hole", "cut"};
 
 /// In maps of the limit used up, the colour of what is beyond. Eyes without red, green or blue
 /// cones too tell orange from all colours of ColorMap::pale, which what is within has.
@@ -25,10 +25,10 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// its signed strain, or where an edge has a limit of strain, of the share of it that its edges use
 /// up; neighbours of one colour joined), over it "seam" (with an allowance the outline), "notch",
 /// "grain", "fold", "drill" (match marks too), "internal" (inner lines) and "annotation" (the
-/// piece's own label) as the options ask, and "cut" (the outline, or with an allowance the line
-/// around that), below the pattern "label": name, sizes, unit, scale, a hash of the pattern, test
-/// squares of 50 mm and 2 in; and "legend", what the colours mean. A pattern that overlaps itself
-/// gets no allowance.
+/// piece's own label) as the options ask, "hole" and "cut" (the outlines of holes and of the piece,
+/// or with an allowance the lines within and around these), below the pattern "label": name, sizes,
+/// unit, scale, a hash of the pattern, test squares of 50 mm and 2 in; and "legend", what the
+/// colours mean. A pattern that overlaps itself gets no allowance.
 /// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
 /// @throws Error as pattern_geometry()

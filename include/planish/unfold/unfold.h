@@ -53,6 +53,12 @@ struct OpenedCrossings {
   Index vertex = 0;           ///< of the mesh: the one that moved most
 };
 
+/// The holes of a patch, which its pattern has too.
+struct PatternHoles {
+  std::size_t count = 0;  ///< how many there are
+  double longest = 0.0;   ///< length of the longest border of one on the patch, model units
+};
+
 /// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its
 /// bounding box is smallest, the longer side along x, the lower left corner at the origin; the
 /// outer side of the patch faces up.
@@ -73,13 +79,15 @@ struct Pattern {
   /// With match_seams and match_if_possible: no pattern that keeps the border's lengths was found.
   bool is_unmatchable = false;
   std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings
+  std::optional<PatternHoles> holes = {};      ///< nothing where there are none
 };
 
 /// Whether unfold() takes a patch of this kind and size. For callers who change it first.
 /// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices)
 void require_unfoldable(const Patch& patch);
 
-/// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
+/// Lays a disk patch, perhaps with holes, flat with the least stretch and no flipped triangle:
+/// minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md), and spreads
 /// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept
 /// by an interior-point method from there. With match_seams, border edges that are not free keep

@@ -14,7 +14,7 @@ struct NumberedColor {
 
 // Of AutoCAD's colours the first nine, and what keeps the layers of sheets apart. It shows 7 as
 // black on white and white on black.
-constexpr std::array<NumberedColor, 15> k_colors = {{{1, {255, 0, 0}},
+constexpr std::array<NumberedColor, 16> k_colors = {{{1, {255, 0, 0}},
                                                      {2, {255, 255, 0}},
                                                      {3, {0, 255, 0}},
                                                      {4, {0, 255, 255}},
@@ -28,6 +28,7 @@ constexpr std::array<NumberedColor, 15> k_colors = {{{1, {255, 0, 0}},
                                                      {32, {165, 82, 0}},
                                                      {34, {127, 63, 0}},
                                                      {42, {165, 124, 0}},
+                                                     {54, {127, 127, 0}},
                                                      {192, {82, 0, 165}}}};
 
 /// The nearest of them.

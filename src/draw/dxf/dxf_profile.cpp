@@ -25,8 +25,8 @@ constexpr std::array<DxfDialect, k_dxf_profiles.size()> k_dialects = {{
 
 // Our names for what the layers of apparel CAD are for.
 constexpr std::pair<std::string_view, std::string_view> k_numbers[] = {
-    {"cut", k_boundary_layer}, {"notch", "4"},  {"fold", "6"},  {"grain", "7"},
-    {"internal", "8"},         {"drill", "13"}, {"seam", "14"},
+    {"cut", k_boundary_layer}, {"notch", "4"}, {"fold", "6"},   {"grain", "7"},
+    {"internal", "8"},         {"hole", "11"}, {"drill", "13"}, {"seam", "14"},
 };
 
 std::optional<std::string> number_of(std::string_view layer) {

@@ -68,8 +68,8 @@ std::optional<Vec2> lower_left(std::span<const PenLines> shown, std::span<const 
   return low;
 }
 
-/// Pen 1 for what is cut, the others for the other layers that have lines, in the order of the
-/// drawing; more than there are pens share the last one.
+/// Pen 1 for what is cut, holes too, the others for the other layers that have lines, in the order
+/// of the drawing; more than there are pens share the last one.
 std::map<std::string, int> pens_of(const Drawing& drawing, std::span<const PenLines> all) {
   const auto has_lines = [&](const std::string& layer) {
     return std::any_of(all.begin(), all.end(),
@@ -77,7 +77,7 @@ std::map<std::string, int> pens_of(const Drawing& drawing, std::span<const PenLi
   };
   std::map<std::string, int> pens;
   int last = 0;
-  if (has_lines("cut")) pens["cut"] = ++last;
+  if (has_lines("cut")) pens["cut"] = pens["hole"] = ++last;
   for (const Layer& layer : drawing.layers) {
     if (!has_lines(layer.name) || pens.contains(layer.name)) continue;
     last = std::min(last + 1, k_most_pens);

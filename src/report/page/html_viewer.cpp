@@ -69,7 +69,8 @@ std::string line_keys(const FlatView& view) {
   struct Line {
     std::string_view layer, words;
   };
-  constexpr std::array<Line, 7> lines = {{{"cut", "cut line"},
+  constexpr std::array<Line, 8> lines = {{{"cut", "cut line"},
+                                          {"hole", "cut line of a hole"},
                                           {"seam", "seam line"},
                                           {"notch", "notch"},
                                           {"grain", "grain"},

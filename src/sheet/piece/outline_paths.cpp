@@ -144,29 +144,33 @@ void append_runs(const Polygon& loop, const std::vector<bool>& keep, std::vector
 
 }  // namespace
 
-std::vector<Path> cut_paths(const PatternGeometry& pattern, const Stroke& stroke) {
-  std::vector<Path> whole = {closed_path(pattern.cut, pattern.fitted_cut, stroke)};
-  if (!pattern.options.is_half()) return whole;
-  const PlacedFold fold = placed_fold(pattern);
+CutPaths cut_paths(const PatternGeometry& pattern, const Stroke& outer, const Stroke& hole) {
+  CutPaths cut;
+  Path around{{}, true, outer}, within{{}, true, hole};
+  const FittedLines& fitted = pattern.fitted_cut;
+  std::optional<PlacedFold> fold;
+  if (pattern.options.is_half()) fold = placed_fold(pattern);
   for (std::size_t k = 0; k < pattern.cut.size(); ++k) {
-    const auto line = opened(pattern.cut[k], fold);
-    if (!line) continue;
-    Path open{{*line}, false, stroke};
-    const FittedLines& fitted = pattern.fitted_cut;
-    if (k < fitted.few.size()) {
-      if (auto few = opened(fitted.few[k], fold)) open.fitted.few = {std::move(*few)};
+    if (auto line = fold ? opened(pattern.cut[k], *fold) : std::nullopt) {
+      Path open{{*std::move(line)}, false, outer};
+      if (k < fitted.few.size()) {
+        if (auto few = opened(fitted.few[k], *fold)) open.fitted.few = {std::move(*few)};
+      }
+      if (k < fitted.curves.size()) {
+        if (auto curve = opened(fitted.curves[k], *fold)) open.fitted.curves = {std::move(*curve)};
+      }
+      cut.outer.push_back(std::move(open));
+      fold.reset();  // one line has it
+      continue;
     }
-    if (k < fitted.curves.size()) {
-      if (auto curve = opened(fitted.curves[k], fold)) open.fitted.curves = {std::move(*curve)};
-    }
-    std::vector<Path> paths = {std::move(open)};
-    std::vector<Polygon> others = pattern.cut;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    if (!others.empty())
-      paths.push_back(closed_path(std::move(others), without_line(fitted, k), stroke));
-    return paths;
+    Path& path = signed_area(pattern.cut[k]) < 0.0 ? within : around;
+    path.lines.push_back(pattern.cut[k]);
+    if (k < fitted.few.size()) path.fitted.few.push_back(fitted.few[k]);
+    if (k < fitted.curves.size()) path.fitted.curves.push_back(fitted.curves[k]);
   }
-  return whole;
+  if (!around.lines.empty()) cut.outer.push_back(std::move(around));
+  if (!within.lines.empty()) cut.holes.push_back(std::move(within));
+  return cut;
 }
 
 Polygon fold_line(const PatternGeometry& pattern) {

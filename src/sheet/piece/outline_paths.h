@@ -7,8 +7,12 @@
 
 namespace planish {
 
-/// What is cut. Along a fold, where nothing is, the line is open: the fold line is drawn there.
-std::vector<Path> cut_paths(const PatternGeometry& pattern, const Stroke& stroke);
+/// What is cut.
+struct CutPaths {
+  std::vector<Path> outer;  ///< along a fold, where nothing is cut, open: the fold line is there
+  std::vector<Path> holes;
+};
+CutPaths cut_paths(const PatternGeometry& pattern, const Stroke& outer, const Stroke& hole);
 
 /// The line of a fold, which there must be: of a half from cut line to cut line, through the
 /// allowances at its ends.

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/math.h"
 #include "core/neumaier_sum.h"
+#include "geometry/crosses_itself.h"
+#include "geometry/curve_size.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -36,6 +40,16 @@ std::vector<Index> elimination_order(std::span<const Vec3> positions,
   return nested_dissection(positions, graph, std::move(used));
 }
 
+/// The loops of the border, the largest one first.
+std::vector<std::span<const Index>> ordered_loops(const Patch& patch) {
+  std::vector<std::span<const Index>> loops(patch.border_loops().begin(),
+                                            patch.border_loops().end());
+  const std::size_t outer = outer_loop(sizes_of_loops(patch.positions(), patch.border_loops()));
+  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outer),
+              loops.begin() + static_cast<std::ptrdiff_t>(outer) + 1);
+  return loops;
+}
+
 }  // namespace
 
 Disk make_disk(const Patch& patch) {
@@ -47,8 +61,13 @@ Disk make_disk(const Patch& patch) {
     number_of[disk.vertex_of[i]] = static_cast<Index>(i);
     disk.on_border.push_back(patch.is_border(disk.vertex_of[i]) ? 1 : 0);
   }
-  for (const Index v : patch.border_loops().front())
-    disk.border.push_back(number_of[v]);
+  std::vector<std::size_t> sizes;
+  for (const std::span<const Index> loop : ordered_loops(patch)) {
+    sizes.push_back(loop.size());
+    for (const Index v : loop)
+      disk.border.push_back(number_of[v]);
+  }
+  disk.loops = LoopOrder(sizes);
 
   for (const Triangle& t : patch.triangles())
     disk.triangles.push_back({number_of[t[0]], number_of[t[1]], number_of[t[2]]});
@@ -77,12 +96,42 @@ Disk make_disk(const Patch& patch) {
   return disk;
 }
 
+std::optional<Disk> with_holes_filled(const Disk& disk, const Patch& patch) {
+  if (disk.hole_count() == 0) return std::nullopt;
+  // Lower triangles, as those of a narrow slit would be, only make the equations worse.
+  constexpr double least_height = 0.1;
+  Disk filled = disk;
+  for (std::size_t hole = 1; hole < disk.loops.count(); ++hole) {
+    const auto place = [&](std::size_t k) {
+      return disk.area_scale * (disk.box_scale * patch.positions()[disk.vertex_of[disk.border[k]]]);
+    };
+    const std::size_t begin = disk.loops.begin(hole), end = disk.loops.end(hole);
+    Vec3 middle;
+    for (std::size_t k = begin; k < end; ++k)
+      middle = middle + (1.0 / static_cast<double>(end - begin)) * place(k);
+    const auto centre = static_cast<Index>(filled.vertex_count++);
+    filled.on_border.push_back(0);
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [from, to] = disk.border_edge(k);
+      filled.on_border[from] = 0;
+      filled.triangles.push_back({to, from, centre});
+      RestTriangle rest = rest_triangle(place(disk.loops.next(k)), place(k), middle);
+      rest.tip.y = std::max(rest.tip.y, least_height * rest.length);
+      filled.rest.push_back(rest);
+    }
+  }
+  filled.border.resize(disk.loops.end(0));
+  const std::size_t outer = disk.loops.end(0);
+  filled.loops = LoopOrder(std::span(&outer, 1));
+  return filled;
+}
+
 std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk) {
   std::vector<double> lengths;
   lengths.reserve(disk.border.size());
   for (std::size_t k = 0; k < disk.border.size(); ++k) {
-    const Vec3 a = mesh.positions[disk.vertex_of[disk.border[k]]];
-    const Vec3 b = mesh.positions[disk.vertex_of[disk.border[(k + 1) % disk.border.size()]]];
+    const auto [from, to] = disk.border_edge(k);
+    const Vec3 a = mesh.positions[disk.vertex_of[from]], b = mesh.positions[disk.vertex_of[to]];
     lengths.push_back(disk.area_scale * norm(disk.box_scale * b - disk.box_scale * a));
   }
   return lengths;
@@ -94,6 +143,28 @@ std::vector<Vec2> border_of(const Disk& disk, std::span<const Vec2> flat) {
   for (const Index v : disk.border)
     outline.push_back(flat[v]);
   return outline;
+}
+
+bool border_crosses_itself(const Disk& disk, std::span<const Vec2> flat) {
+  return crosses_itself(border_of(disk, flat), disk.loops);
+}
+
+bool holes_are_open(const Disk& disk, std::span<const Vec2> flat) {
+  if (disk.hole_count() == 0) return true;
+  std::vector<double> angles(disk.vertex_count, 0.0);
+  for (const Triangle& t : disk.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = flat[t[(k + 1) % 3]] - flat[t[k]], b = flat[t[(k + 2) % 3]] - flat[t[k]];
+      angles[t[k]] += math::atan2(cross(a, b), dot(a, b));
+    }
+  }
+  for (std::size_t hole = 1; hole < disk.loops.count(); ++hole) {
+    double turning = 0.0;  // a multiple of 2 pi, but for rounding
+    for (std::size_t k = disk.loops.begin(hole); k < disk.loops.end(hole); ++k)
+      turning += std::numbers::pi - angles[disk.border[k]];
+    if (!(std::abs(turning + 2.0 * std::numbers::pi) < 1.0)) return false;
+  }
+  return true;
 }
 
 bool all_upright(const Disk& disk, std::span<const Vec2> flat) {

@@ -29,6 +29,7 @@ class InnerSystem {
   /// not looked at) and (A x)_v = `source`_v inside. @pre solvable()
   Eigen::MatrixXd solve(const Eigen::MatrixXd& border, const Eigen::MatrixXd& source) const;
   /// The disk in the plane with its border loop on a polygon, both coordinates harmonic inside.
+  /// @pre no holes
   std::vector<Vec2> extend(const Disk& disk, std::span<const Vec2> polygon) const;
   /// A x at all vertices.
   Eigen::MatrixXd apply(const Eigen::MatrixXd& x) const {

@@ -8,12 +8,11 @@ namespace planish {
 
 namespace {
 
-/// The lengths of the sides from border[k] to border[k + 1].
+/// The lengths of the border edges.
 std::vector<double> border_lengths(const Disk& disk) {
   std::vector<Index> next(disk.vertex_count, 0);
-  for (std::size_t k = 0; k < disk.border.size(); ++k) {
-    next[disk.border[k]] = disk.border[(k + 1) % disk.border.size()];
-  }
+  for (std::size_t k = 0; k < disk.border.size(); ++k)
+    next[disk.border[k]] = disk.border_edge(k)[1];
   std::vector<double> length_from(disk.vertex_count, 0.0);
   for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
     const Triangle& tri = disk.triangles[t];

@@ -7,9 +7,9 @@
 
 namespace planish {
 
-/// The border vertex half way around from the first one.
+/// The vertex half way around the outer border from the first one.
 inline Index opposite_of_first(const Disk& disk) {
-  return disk.border[disk.border.size() / 2];
+  return disk.outer_border()[disk.outer_border().size() / 2];
 }
 
 /// The flat disk turned and shifted so that the first border vertex is at the origin, and the one

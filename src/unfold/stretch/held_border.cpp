@@ -19,12 +19,12 @@ std::vector<TurnBending::Turn> turns_of(const Disk& disk, const BorderLengths& l
   const double shortest = k_shortest * total / static_cast<double>(n);
   std::vector<TurnBending::Turn> turns;
   for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t before =
-        (k + n - 1) % n;  // the edge that ends here, and the vertex it is from
+    // The edge that ends here, and the vertex it is from.
+    const std::size_t before = disk.loops.previous(k);
     const double least = std::min(lengths.of_edges[before], lengths.of_edges[k]);
     if (!(least > shortest) || (lengths.may_change(before) && lengths.may_change(k))) continue;
     const double length = 0.5 * (lengths.of_edges[before] + lengths.of_edges[k]);
-    turns.push_back({{disk.border[before], disk.border[k], disk.border[(k + 1) % n]},
+    turns.push_back({{disk.border[before], disk.border[k], disk.border[disk.loops.next(k)]},
                      HeldBorder::k_stiffness / length});
   }
   return turns;

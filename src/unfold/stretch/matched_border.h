@@ -26,7 +26,7 @@ MatchedBorder match_border(const Disk& disk, const HeldBorder& border, std::vect
 
 /// A flat disk whose border edges have the lengths given, however stretched the inside is: the
 /// border inscribed in a circle, every inner vertex at the mean of its neighbours. Triangles may
-/// only be flipped by rounding.
+/// only be flipped by rounding. @pre no holes
 std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths, ThreadPool& pool);
 
 }  // namespace planish

@@ -16,8 +16,8 @@ constexpr double k_kept = 1e-10, k_rounding = 4e-16;
 
 /// With the length that it is to have.
 FlatEdge border_edge(const Disk& disk, const HeldBorder& border, std::size_t k) {
-  return {disk.border[k], disk.border[(k + 1) % disk.border.size()], border.lengths.of_edges[k],
-          0.0};
+  const auto [from, to] = disk.border_edge(k);
+  return {from, to, border.lengths.of_edges[k], 0.0};
 }
 
 /// Of vertices that share a turn, and of the ends of an edge with its pull.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "energy/strain_price.h"
-#include "geometry/crosses_itself.h"
 #include "optimize/line_search.h"
 #include "unfold/strain/strain_of_edges.h"
 #include "unfold/stretch/flat_steps.h"
@@ -94,11 +93,11 @@ class Budget {
       : disk_(disk),
         edges_(edges),
         most_rms_(most_rms),
-        may_cross_(crosses_itself(border_of(disk, least))) {}
+        may_cross_(border_crosses_itself(disk, least)) {}
 
   bool keeps(const std::vector<Vec2>& flat) const {
     return all_upright(disk_, flat) && rms_strain(edges_, strains_of(edges_, flat)) <= most_rms_ &&
-           (may_cross_ || !crosses_itself(border_of(disk_, flat)));
+           (may_cross_ || !border_crosses_itself(disk_, flat));
   }
 
   /// The last place on the way from one that keeps it to one that does not.

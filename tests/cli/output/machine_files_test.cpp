@@ -100,7 +100,7 @@ TEST_F(MachineFiles, NameTheLayersThatThereAre) {
   const std::string message = result.json()["error"]["message"];
   EXPECT_THAT(message, HasSubstr("\"notches\""));
   for (const char* layer : {"strain", "seam", "notch", "grain", "fold", "drill", "internal",
-                            "annotation", "label", "legend", "cut"})
+                            "annotation", "label", "legend", "hole", "cut"})
     EXPECT_THAT(message, HasSubstr(layer));
   EXPECT_FALSE(std::filesystem::exists("a.svg"));
   EXPECT_THAT(unfold("a.svg", {"--only-layers", "strain"}).err, HasSubstr("with --map only"));

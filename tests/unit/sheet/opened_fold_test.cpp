@@ -94,7 +94,7 @@ TEST(OpenedFold, OfTheHalfAloneIsDrawnFromCutLineToCutLineAndNotCut) {
       ASSERT_EQ(fold.size(), 2U);
       EXPECT_NEAR(norm(fold[1] - fold[0]), k_half_height + 16.0, 1e-3);
       EXPECT_LT(dot(fold[1] - fold[0], half.along), 0.0) << "from its own first end";
-      const std::vector<Path> cut = cut_paths(alone, {});
+      const std::vector<Path> cut = cut_paths(alone, {}, {}).outer;
       ASSERT_EQ(cut.size(), 1U);
       EXPECT_FALSE(cut[0].closed);
       std::vector<Polygon> lines = cut[0].lines;

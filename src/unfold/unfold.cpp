@@ -17,6 +17,7 @@
 #include "unfold/strain/free_edges.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
+#include "unfold/stretch/open_holes.h"
 #include "unfold/stretch/seam_system.h"
 #include "unfold/stretch/spread_stretch.h"
 #include "unfold/symmetric_mean.h"
@@ -45,6 +46,16 @@ class Starts {
     throw Error(ErrorCode::unfold_failed,
                 "the patch cannot be laid flat: its inner vertices come too close together when "
                 "the border is spread out; cut it, or remesh it more evenly");
+  }
+
+  /// With open holes, where those of least stretch cross themselves: see with_open_holes().
+  std::optional<LeastStretch> with_holes_open(int max_iterations,
+                                              const std::function<void()>& after_step) const {
+    if (!filled_) return std::nullopt;
+    std::vector<Vec2> flat = conformal_start(*filled_, pool_);
+    if (flat.empty() || !all_upright(*filled_, flat)) flat = tutte_start(*filled_, pool_);
+    if (!all_upright(*filled_, flat)) return std::nullopt;
+    return with_open_holes(disk_, *filled_, std::move(flat), max_iterations, pool_, after_step);
   }
 
   /// With the outer border on a circle; nothing where that is not sound.
@@ -292,6 +303,10 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   LeastStretch flat =
       minimise_stretch(disk, *system, std::move(start), options.max_iterations,
                        unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
+  if (disk.hole_count() > 0 && border_crosses_itself(disk, flat.flat)) {
+    const auto step = unfolding_steps(parts.next(0.5), k_step_of_stretch);
+    if (auto open = starts.with_holes_open(options.max_iterations, step)) flat = *std::move(open);
+  }
   // What follows has its own; both at once would take twice the memory.
   if (options.match_seams || bounds_edges) system.reset();
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);

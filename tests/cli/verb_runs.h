@@ -65,7 +65,7 @@ inline VerbRun run_verb(const Verb& verb, const std::string& input) {
 inline void expect_numbers(const nlohmann::json& json, const std::string& key = "") {
   static const std::set<std::string> may_be_null = {
       "max_deviation", "remeshed_from", "unlimited_strain", "unmatched_strain", "obstruction",
-      "nesting", "overlap", "opened",
+      "nesting", "overlap", "opened", "holes",
       // of candidates outside of the fixed order
       "pick",
       // beside a plane

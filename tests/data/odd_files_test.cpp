@@ -118,6 +118,17 @@ TEST_F(OddFiles, KeepTheirHoles) {
   }
 }
 
+// Its least stretch has windows that cross themselves.
+TEST_F(OddFiles, AreLaidFlatInOnePieceWithAllWindows) {
+  const CliResult unfold =
+      run_on(file("products/car.obj").string(), {"unfold", "-o", "car.svg", "--json"}, {});
+  ASSERT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
+  EXPECT_EQ(unfold.json()["holes"]["count"], 10);
+  EXPECT_FALSE(unfold.json()["overlaps"].get<bool>());
+  EXPECT_EQ(unfold.json()["flipped_triangles"], 0);
+  EXPECT_LT(unfold.json()["strain"]["rms"].get<double>(), 0.08);
+}
+
 TEST_F(OddFiles, CloseHolesThatTouch) {
   for (const char* file : {"one_triangle_missing.obj", "dropouts_touch_at_vertex.obj"}) {
     const std::string path = odd_file(file);

@@ -189,12 +189,13 @@ std::string opened_text(const UnfoldReport& report) {
 std::string holes_text(const PatternHoles& holes, Unit unit) {
   const ShownLengths lengths(unit);
   constexpr double k_enough = 1.01;  // more than the digits that are shown leave out
+  std::string enough = lengths.text(k_enough * holes.longest);  // as a flag takes it
+  std::erase(enough, ' ');
   const bool is_one = holes.count == 1;
   return "the patch has " + counted(holes.count, "hole") + ", which " +
          (is_one ? "stays" : "stay") + "; the longest border of one is " +
          lengths.text(holes.longest) + ". If " + (is_one ? "it is" : "they are") +
-         " not meant, --fill-holes " + lengths.number(k_enough * holes.longest) +
-         std::string(to_string(unit)) + " closes " + (is_one ? "it" : "them");
+         " not meant, --fill-holes " + enough + " closes " + (is_one ? "it" : "them");
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   patch.flattenable = true;
   patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
   const Json json = Json::parse(json_report(patch));
-  EXPECT_THAT(
-      keys_of(json),
-      ElementsAre("schema", "vertices", "triangles", "inner_vertices", "components",
-                  "boundary_loops", "euler_characteristic", "e_max", "e_avg", "energy",
-                  "sum_abs_defect", "min_angle", "roughness", "flattenable", "extent", "area",
-                  "border_length", "bending", "mean_curvature", "ruling_defect",
-                  "self_intersections", "obstruction", "problems", "strain", "limits", "cautions"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("schema", "vertices", "triangles", "inner_vertices", "components",
+                          "boundary_loops", "euler_characteristic", "e_max", "e_avg", "energy",
+                          "sum_abs_defect", "hole_turning", "hole_gap", "min_angle", "roughness",
+                          "flattenable", "extent", "area", "border_length", "bending",
+                          "mean_curvature", "ruling_defect", "self_intersections", "obstruction",
+                          "problems", "strain", "limits", "cautions"));
   EXPECT_EQ(json["strain"], Json(nullptr));
   EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);
@@ -236,6 +236,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"overlaps", true},
                         {"overlap", nullptr},
                         {"opened", nullptr},
+                        {"holes", nullptr},
                         {"width", 30.0},
                         {"height", 20.0},
                         {"unit", "cm"},

@@ -6,6 +6,8 @@
 
 #include <planish/core/error.h>
 
+#include "geometry/curve_size.h"
+
 namespace planish {
 
 namespace {
@@ -111,8 +113,10 @@ bool borders_correspond(const WalkedMesh& first, const WalkedMesh& second, bool 
 std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) {
   auto connectivity = Connectivity::build(mesh);
   if (!connectivity) return std::nullopt;
-  WalkedMesh walked{unit_scale(mesh), mesh.positions, *std::move(connectivity), {}};
-  if (walked.connectivity.border_loops().size() != 1) return std::nullopt;
+  WalkedMesh walked{unit_scale(mesh), mesh.positions, *std::move(connectivity)};
+  const auto& loops = walked.connectivity.border_loops();
+  if (loops.empty()) return std::nullopt;
+  walked.outer = outer_loop(sizes_of_loops(mesh.positions, loops));
   for (Vec3& p : walked.positions)
     p = walked.scale * p;
   const auto border = walked.border();

@@ -9,20 +9,21 @@
 
 namespace planish {
 
-/// A mesh with one border, as it is matched with others: lengths are those of the mesh times a
+/// A mesh with a border, as it is matched with others: lengths are those of the mesh times a
 /// power of two.
 struct WalkedMesh {
   double scale = 1.0;
   std::vector<Vec3> positions;
   Connectivity connectivity;
-  std::vector<double> border_lengths;  ///< of the edges of the loop, by their first vertex
+  std::size_t outer = 0;                    ///< number of the outer border loop
+  std::vector<double> border_lengths = {};  ///< of the edges of that loop, by their first vertex
   double perimeter = 0.0;
 
-  std::span<const Index> border() const { return connectivity.border_loops().front(); }
+  /// The outer loop.
+  std::span<const Index> border() const { return connectivity.border_loops()[outer]; }
 };
 
-/// The mesh at the scale of unit_scale(); none where it has not exactly one border or is no
-/// oriented manifold.
+/// The mesh at the scale of unit_scale(); none where it has no border or is no oriented manifold.
 std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh);
 
 /// The same at another scale.

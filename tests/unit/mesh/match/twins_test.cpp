@@ -169,9 +169,22 @@ TEST(Twins, MayHaveOneTriangleOrNone) {
   ASSERT_TRUE(twin(needle, turned(needle)));
 }
 
+TEST(Twins, MayHaveHoles) {
+  TriMesh mesh = make_shape("saddle", 300);
+  for (const std::size_t t : {300U, 120U})
+    mesh.triangles.erase(mesh.triangles.begin() + t);
+  for (const bool is_mirrored : {false, true}) {
+    const TriMesh other = renumbered(turned(is_mirrored ? mirrored(mesh) : mesh));
+    const auto found = twin(mesh, other);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->match.mirrored, is_mirrored);
+    expect_match(found->match, mesh, other, 1e-9);
+  }
+}
+
 TEST(Twins, AreNotLookedForInWhatIsNoPatch) {
-  const TriMesh tube = meshes::tube(8, 3);
-  EXPECT_FALSE(twin(tube, tube));
+  const TriMesh closed = meshes::tetrahedron();
+  EXPECT_FALSE(twin(closed, closed));
   TriMesh wrong = meshes::flat_grid(2, 2);
   wrong.triangles[0][0] = 99;
   EXPECT_FALSE(twin(wrong, wrong));

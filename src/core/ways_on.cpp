@@ -85,7 +85,9 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::overlapping_outline:
       return "Leave --allowance out, or divide the patch with --cut FILE";
     case ErrorCode::allowance_too_wide:
-      return "Make --allowance less, or set it edge by edge with --edge-allowances FILE";
+      return "Make --allowance less, set it edge by edge with --edge-allowances FILE, or leave it "
+             "out "
+             "in holes with --hole-allowance no";
     case ErrorCode::misplaced_allowance:
       return "Give other vertices to --edge-allowances or --fold";
     case ErrorCode::misplaced_notch:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <span>
@@ -36,10 +37,10 @@ inline double border_turning(std::span<const Vec3> positions, const Connectivity
   return turning;
 }
 
-/// Whether a loop of the border that is not the outer one is the end of a tube, not a hole: it
-/// lacks more than half a turn of closing in the plane.
+/// Whether a loop of the border that is not the outer one is the end of a tube, not a hole: it is
+/// more than half a turn from closing in the plane.
 inline bool is_tube_end(double turning) {
-  return turning > -std::numbers::pi;
+  return !(std::abs(turning + 2.0 * std::numbers::pi) <= std::numbers::pi);
 }
 
 /// Whether the sides of a loop lie on each other, as where a seam of the mesh is not joined: it

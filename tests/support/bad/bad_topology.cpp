@@ -218,11 +218,11 @@ void add_not_unfoldable(MeshFiles& files) {
   refuse("patch_and_tube", meshes::side_by_side(patch, meshes::tube(5, 3)),
          ErrorCode::several_components);
   refuse("tube", meshes::tube(6, 4), ErrorCode::several_border_loops);
-  files.accept("one_hole", text_of(without_cells(patch, {5})));
-  files.accept("two_holes", text_of(without_cells(meshes::rough_grid(6, 6, 7), {7, 22})));
+  files.accept("one_hole", without_cells(patch, {5}));
+  files.accept("two_holes", without_cells(meshes::rough_grid(6, 6, 7), {7, 22}));
   TriMesh missing = patch;
   missing.triangles.erase(missing.triangles.begin() + 12);
-  files.accept("triangle_missing_inside", text_of(missing));
+  files.accept("triangle_missing_inside", missing);
   refuse("t_junction", with_t_junction(), ErrorCode::several_border_loops);
   refuse("slit_inside", with_slit(patch, 2, 2), ErrorCode::several_border_loops);
   TriMesh torus = meshes::torus(6, 8);

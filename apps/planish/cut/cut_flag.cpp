@@ -6,6 +6,7 @@
 #include <planish/io/read_features.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/imprint.h>
+#include <planish/unfold/suggest_cuts.h>
 
 #include "cut/requested_lines.h"
 #include "flags/scale_flag.h"
@@ -36,6 +37,10 @@ std::vector<Flag> cut_flags() {
 }
 
 namespace {
+
+bool is_through_triangles(const Arguments& arguments) {
+  return arguments.text("--cut-along", "triangles") == "triangles";
+}
 
 void check_count(const std::vector<SurfaceLine>& lines) {
   constexpr std::size_t most = 10'000;
@@ -68,31 +73,59 @@ CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, S
   return cut_open(Patch(imprinted.mesh), paths);
 }
 
+/// Cuts along edges between vertices of the mesh.
+CutMesh cut_through_edges(const TriMesh& mesh, const Arguments& arguments, Session& session,
+                          const ShownLengths& lengths) {
+  const std::string file = arguments.text("--cut");
+  const CutLines along = arguments.rows.contains("--cut")
+                             ? cuts_in(arguments.rows_of("--cut"), mesh)
+                             : read_cuts(path_of(file), as_in_file(mesh, arguments));
+  if (along.farthest > 0.0) {
+    session.note(file + ": what is drawn is at most " +
+                 lengths.text(scale_from(arguments) * along.farthest) +
+                 " from the vertices that stand for it, and between them the cut follows edges");
+  }
+  return cut_open(Patch(mesh), along.paths);
+}
+
+/// Opens what is no disk.
+CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
+                const OpeningLimits& limits, const ShownLengths& lengths) {
+  const Patch patch(std::move(mesh));
+  const CutGraphOptions options = {
+      .keep_holes = false,
+      .along_edges = !is_through_triangles(arguments),
+      .most_scale = limits.most_scale,
+      .most_pieces = limits.most_pieces,
+      .unfold = {.open_crossings = k_hair / millimetres_per(unit_from(arguments))}};
+  CutGraph graph = cut_graph(patch, options, session.silent_context());
+  session.note(graph.lines == 0 ? "--cut open: the surface lies flat without a cut"
+                                : "--cut open: cut along " + counted(graph.lines, "line") + ", " +
+                                      lengths.text(graph.length));
+  return {std::move(graph.mesh), CutOutcome{graph.edges, graph.length}};
+}
+
 }  // namespace
 
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
-                      Session& session) {
+                      Session& session, const OpeningLimits& limits) {
   if (!arguments.has("--cut")) return {std::move(mesh)};
-  const std::string file = arguments.text("--cut");
   return about(path, [&]() -> CutInput {
     const ShownLengths lengths(unit_from(arguments));
-    const bool is_through = arguments.text("--cut-along", "triangles") == "triangles";
-    CutLines along;
-    if (!is_through) {
-      along = arguments.rows.contains("--cut")
-                  ? cuts_in(arguments.rows_of("--cut"), mesh)
-                  : read_cuts(path_of(file), as_in_file(mesh, arguments));
+    CutInput result = {std::move(mesh), CutOutcome{}};
+    if (asks_for_lines(arguments)) {
+      CutMesh cut = is_through_triangles(arguments)
+                        ? cut_through_triangles(result.mesh, arguments, session, lengths)
+                        : cut_through_edges(result.mesh, arguments, session, lengths);
+      session.note(arguments.text("--cut") + ": cut open along " + counted(cut.edges, "edge") +
+                   ", " + lengths.text(cut.length));
+      result = {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
     }
-    CutMesh cut = is_through ? cut_through_triangles(mesh, arguments, session, lengths)
-                             : cut_open(Patch(mesh), along.paths);
-    std::string text =
-        file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
-    if (along.farthest > 0.0) {
-      text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * along.farthest) +
-              " from the vertices that stand for it, and between them the cut follows edges";
-    }
-    session.note(text);
-    return {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
+    if (!asks_to_open(arguments)) return result;
+    CutInput open = opened(std::move(result.mesh), arguments, session, limits, lengths);
+    open.cut->edges += result.cut->edges;
+    open.cut->length += result.cut->length;
+    return open;
   });
 }
 

@@ -27,9 +27,15 @@ struct CutInput {
   std::optional<CutOutcome> cut = {};
 };
 
-/// @throws Error as read_cuts() and cut_open()
+/// How far `--cut open` goes, besides cuts that make disks.
+struct OpeningLimits {
+  std::optional<double> most_scale = 1.0;  ///< as CutGraphOptions has it
+  std::size_t most_pieces = 1;             ///< as CutGraphOptions has it
+};
+
+/// @throws Error as read_cuts(), cut_open() and cut_graph()
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
-                      Session& session);
+                      Session& session, const OpeningLimits& limits = {});
 
 /// What --cut did as "cut": {"edges", "length"}, for a report; nothing without the flag.
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut);

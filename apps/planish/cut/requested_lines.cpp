@@ -7,8 +7,6 @@
 #include <utility>
 
 #include <planish/io/read_features.h>
-#include <planish/mesh/geodesic.h>
-#include <planish/unfold/suggest_cuts.h>
 
 #include "flags/quantities.h"
 #include "flags/scale_flag.h"
@@ -23,6 +21,8 @@ namespace {
 
 /// Of the diagonal: vertices that are nearer to a plane count as on it.
 constexpr double k_on_plane = 1e-6;
+
+constexpr const char* k_open = "open";
 
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
@@ -108,19 +108,6 @@ void add_creases(RequestedLines& all, const Patch& patch, const std::string& val
   add(all, std::move(lines), value);
 }
 
-/// A short cut graph, drawn tight from junction to junction.
-void add_cut_graph(RequestedLines& all, const Patch& patch) {
-  const std::vector<std::vector<Index>> graph = cut_graph(patch);
-  if (graph.empty()) all.notes.emplace_back("--cut open: the surface lies flat without a cut");
-  std::vector<SurfaceLine> lines;
-  for (const std::vector<Index>& path : graph) {
-    lines.push_back(line_along_edges(patch, path));
-    // Paths that share edges with others have to stay where these are.
-    if (graph.size() == 1) lines.back() = shortened(patch, lines.back()).points;
-  }
-  add(all, std::move(lines), "open");
-}
-
 void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
               const Arguments& arguments) {
   CutLinesOnPatch read =
@@ -136,6 +123,19 @@ void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
 
 }  // namespace
 
+bool asks_to_open(const Arguments& arguments) {
+  if (arguments.rows.contains("--cut")) return false;
+  const std::vector<std::string> values = values_of(arguments.text("--cut"));
+  return std::find(values.begin(), values.end(), k_open) != values.end();
+}
+
+bool asks_for_lines(const Arguments& arguments) {
+  if (arguments.rows.contains("--cut")) return true;
+  const std::vector<std::string> values = values_of(arguments.text("--cut"));
+  return std::any_of(values.begin(), values.end(),
+                     [](const std::string& value) { return value != k_open; });
+}
+
 RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
   RequestedLines all;
   if (arguments.rows.contains("--cut")) {
@@ -143,13 +143,12 @@ RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
     return all;
   }
   for (const std::string& value : values_of(arguments.text("--cut"))) {
+    if (value == k_open) continue;
     const std::vector<std::string> words =
         is_file(value) ? std::vector<std::string>{} : words_of(value);
     const std::string kind = words.empty() ? "" : words[0];
     if (kind == "plane") {
       add_section(all, patch, value, words, arguments);
-    } else if (kind == "open") {
-      add_cut_graph(all, patch);
     } else if (kind == "creases") {
       add_creases(all, patch, value, words, arguments);
     } else {

@@ -19,7 +19,13 @@ struct RequestedLines {
   std::vector<std::string> notes = {};
 };
 
-/// The lines of all values of --cut: rows, files, planes, creases, a cut graph.
+/// Whether a value of --cut is `open`.
+bool asks_to_open(const Arguments& arguments);
+
+/// Whether a value of --cut is anything else.
+bool asks_for_lines(const Arguments& arguments);
+
+/// The lines of all values of --cut but `open`: rows, files, planes, creases.
 /// @throws Error misplaced_cut, or as read_cut_lines(); UsageError
 RequestedLines requested_lines(const Patch& patch, const Arguments& arguments);
 

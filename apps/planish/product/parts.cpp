@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <planish/measure/material.h>
 #include <planish/mesh/repair.h>
 
+#include "cut/requested_lines.h"
 #include "mesh/split.h"
 #include "model/model_flags.h"
 #include "output/pattern_output.h"
@@ -315,27 +317,66 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
   return input;
 }
 
+namespace {
+
+constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
+
+/// The pieces that a patch is cut into.
+std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
+                                    const Arguments& arguments, Session& session,
+                                    CutOutcome& outcome) {
+  CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
+                              {.most_pieces = k_most_pieces});
+  outcome.edges += cut.cut->edges;
+  outcome.length += cut.cut->length;
+  std::vector<ProductPatch> pieces;
+  for (NamedPatch& piece : split(cut.mesh, patch.name)) {
+    pieces.push_back(patch);
+    pieces.back().name = std::move(piece.name);
+    pieces.back().mesh = std::move(piece.mesh);
+  }
+  return pieces;
+}
+
+}  // namespace
+
 std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
                                       Session& session) {
   if (!arguments.has("--cut")) return std::nullopt;
-  if (input.patches.size() > 1 || input.is_described) {
-    throw UsageError(
-        "flag --cut goes with one patch only; the input has several: take one with --only NAME");
+  const bool are_several = input.patches.size() > 1 || input.is_described;
+  if (are_several && asks_for_lines(arguments)) {
+    throw UsageError("flag --cut goes with one patch only, but --cut open; the input has several: "
+                     "take one with --only NAME");
   }
-  CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
-  input.whole.mesh = std::move(cut.mesh);
-  input.patches.clear();
-  for (NamedPatch& piece : split(input.whole.mesh, input.whole.pieces.front())) {
-    input.patches.push_back({std::move(piece.name), std::move(piece.mesh)});
-    input.patches.back().words.source = input.path;
-    input.patches.back().turned = input.whole.turned;
+  CutOutcome outcome;
+  std::vector<ProductPatch> patches;
+  std::vector<MeshFormat> formats;
+  if (!are_several) {
+    input.patches.front().mesh = input.whole.mesh;
+    input.patches.front().name = input.whole.pieces.front();
+    input.patches.front().turned = input.whole.turned;
   }
-  input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
-  if (input.patches.size() > 1) {
+  for (std::size_t p = 0; p < input.patches.size(); ++p) {
+    const MeshFormat format = input.places[p].format;
+    const std::string path = input.patches[p].words.source;
+    std::vector<ProductPatch> pieces;
+    if (input.patches[p].failure) {
+      pieces.push_back(std::move(input.patches[p]));
+    } else {
+      pieces = cut_patch(std::move(input.patches[p]), path, arguments, session, outcome);
+    }
+    formats.insert(formats.end(), pieces.size(), format);
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));
+  }
+  const std::size_t before = input.patches.size();
+  input.patches = std::move(patches);
+  input.places = places_of(input.patches, formats);
+  if (input.patches.size() > before) {
     session.note(input.path + ": the cut makes " + std::to_string(input.patches.size()) +
                  " patches");
   }
-  return cut.cut;
+  if (!are_several && input.patches.size() == 1) input.whole.mesh = input.patches.front().mesh;
+  return outcome;
 }
 
 }  // namespace planish::cli

@@ -71,12 +71,48 @@ struct CutSuggestion {
 CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options = {},
                            const Context& context = {});
 
-/// Short cuts along edges that make a disk of a mesh, by its own vertices: none for a disk. A
-/// closed surface is opened along the shortest path from the ring of greatest positive angle defect
-/// to the farthest of those with half as much; several borders are joined to the first by shortest
-/// paths, the nearest first; each handle gets two cuts, of a greedy system of loops (Erickson and
-/// Whittlesey 2005).
-/// @throws Error several_components
-std::vector<std::vector<Index>> cut_graph(const Patch& patch);
+/// How cut_graph() cuts.
+struct CutGraphOptions {
+  /// Border loops that close in the plane stay holes: those that turn by -2 pi, or as much within
+  /// pi. Else each piece gets one border loop.
+  bool keep_holes = false;
+  /// Of each vertex: what lengths near it count for, above 0, so that cuts go elsewhere where that
+  /// is large. Empty: 1 everywhere.
+  std::vector<double> weights = {};
+  /// Cuts follow edges. Else each is a geodesic through triangles, from one place where cuts meet to
+  /// the next.
+  bool along_edges = false;
+  /// Cuts also lead to the tips of limbs at which the conformal map shrinks by more than this power
+  /// of e. Nothing: they do not.
+  std::optional<double> most_scale = {};
+  /// Each part of the mesh is divided into at most so many pieces, until no pattern overlaps itself.
+  std::size_t most_pieces = 1;
+  UnfoldOptions unfold = {};  ///< how these patterns are made
+};
+
+/// A mesh that was cut open to be laid flat.
+struct CutGraph {
+  /// In `source`: a vertex that a cut through triangles made.
+  static constexpr Index none = static_cast<Index>(-1);
+
+  /// Vertices of the mesh keep their numbers; copies and new ones come behind. Triangles that a cut
+  /// runs through are divided in their place.
+  TriMesh mesh;
+  std::vector<Index> source;                    ///< of each vertex: the one that it is or copies
+  std::vector<std::vector<Index>> paths = {};   ///< with along_edges: by vertices of the input
+  std::size_t lines = 0;                        ///< cuts that were made
+  std::size_t edges = 0;                        ///< that were opened, each once
+  double length = 0.0;                          ///< of these, model units
+};
+
+/// Opens a mesh by short cuts so that every part of it can be laid flat: none for a disk. A handle
+/// is cut along a short loop around it, several borders are joined; of a greedy homotopy basis
+/// (Erickson and Whittlesey 2005) the shortest path is cut, then that of what is left. A closed
+/// surface is opened along the shortest path from the ring of greatest positive angle defect to the
+/// farthest of those with half as much. No cut crosses another one.
+/// @throws Error option_out_of_range where there are weights, but not one for each vertex; as
+///   unfold() for what no cut can mend, Cancelled
+CutGraph cut_graph(const Patch& patch, const CutGraphOptions& options = {},
+                   const Context& context = {});
 
 }  // namespace planish

@@ -15,6 +15,10 @@ namespace planish {
 /// least stretch (docs/unfold.md, "Spreading the stretch").
 inline constexpr double k_spread_budget = 1.06;
 
+/// By how much unfold_patch() moves borders apart that cross by a hair
+/// (UnfoldOptions::open_crossings), millimetres.
+inline constexpr double k_hair = 0.1;
+
 /// How a patch is laid flat.
 struct UnfoldOptions {
   int max_iterations = 200;  ///< Newton steps at most

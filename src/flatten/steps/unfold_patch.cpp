@@ -11,7 +11,6 @@ namespace planish {
 
 UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wanted,
                           const Context& context) {
-  constexpr double k_hair = 0.1;  // millimetres
   UnfoldOptions options = wanted;
   options.open_crossings = k_hair / millimetres_per(unit);
   UnfoldReport report;

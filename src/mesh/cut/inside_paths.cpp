@@ -19,9 +19,10 @@ bool is_border_edge(const Connectivity& connectivity, Index v, Index w) {
   return ring.front() == w || ring.back() == w;
 }
 
-InsidePaths::InsidePaths(const Patch& patch)
+InsidePaths::InsidePaths(const Patch& patch, std::span<const double> weights)
     : patch_(patch),
       scale_(patch.unit_scale()),
+      weights_(weights.begin(), weights.end()),
       distance_(patch.vertex_count(), k_not_reached),
       previous_(patch.vertex_count(), 0) {}
 
@@ -77,8 +78,7 @@ std::optional<Index> InsidePaths::spread(std::span<const Index> first,
     if (at_vertex(v)) return v;
     if (patch_.is_border(v) && previous_[v] != v) continue;
     for (const Index w : patch_.ring(v)) {
-      const Vec3 edge = scale_ * patch_.positions()[w] - scale_ * patch_.positions()[v];
-      const double through_v = distance + norm(edge);
+      const double through_v = distance + length_of(v, w);
       if (!(through_v < distance_[w]) || is_border_edge(patch_.connectivity(), v, w)) continue;
       if (distance_[w] == k_not_reached) reached_.push_back(w);
       distance_[w] = through_v;
@@ -87,6 +87,11 @@ std::optional<Index> InsidePaths::spread(std::span<const Index> first,
     }
   }
   return std::nullopt;
+}
+
+double InsidePaths::length_of(Index v, Index w) const {
+  const double length = norm(scale_ * patch_.positions()[w] - scale_ * patch_.positions()[v]);
+  return weights_.empty() ? length : 0.5 * (weights_[v] + weights_[w]) * length;
 }
 
 void InsidePaths::forget() {

@@ -16,7 +16,9 @@ bool is_border_edge(const Connectivity& connectivity, Index v, Index w);
 /// triangle on either side, and touching the border with their ends only.
 class InsidePaths {
  public:
-  explicit InsidePaths(const Patch& patch);
+  /// @param weights of vertices: an edge counts for its length times the mean of those at its ends;
+  ///   empty: 1 everywhere
+  explicit InsidePaths(const Patch& patch, std::span<const double> weights = {});
 
   /// The vertices of a shortest path from one of the first ones to one that is wanted, ends
   /// included; nothing where there is none. Of several paths always the same. Looks no further
@@ -42,9 +44,11 @@ class InsidePaths {
   std::optional<Index> spread(std::span<const Index> first,
                               const std::function<bool(Index)>& at_vertex);
   void forget();
+  double length_of(Index v, Index w) const;
 
   Patch patch_;
   double scale_;
+  std::vector<double> weights_;
   std::vector<double> distance_;  ///< infinite where nothing was reached yet
   std::vector<Index> previous_;   ///< of a first vertex itself
   std::size_t looks_ = 0;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <planish/core/range.h>
@@ -77,7 +78,8 @@ std::vector<Dart> darts_from(const Patch& patch, const std::function<bool(Index)
   const auto on_both = [&](Index v) { return on_border(v) && on_old_border(v); };
   const double sliver = k_sliver * bounding_box_diagonal(patch.mesh());
   std::vector<Dart> darts;
-  for (const Index tip : dart_tips(patch, k_most_tips)) {
+  for (const DartTip& peak : dart_tips(patch, k_most_tips)) {
+    const Index tip = peak.vertex;
     Dart nearest = dart_to(tip, on_border);
     if (nearest.path.empty() || (nearest.branches && nearest.length < sliver)) continue;
     const bool branches = nearest.branches;
@@ -174,7 +176,12 @@ class CutSearch {
   }
 
   void open_to_disk() {
-    paths_ = cut_graph(patch_);
+    const std::size_t parts = patch_.inspection().topology.components;
+    if (parts != 1) {
+      throw Error(ErrorCode::several_components,
+                  "the mesh has " + std::to_string(parts) + " separate parts");
+    }
+    paths_ = cut_graph(patch_, {.along_edges = true}, unfolding_).paths;
     for (const auto& path : paths_)
       found_.cuts.push_back({path, path_length(path, patch_.positions())});
     found_.first = with_paths();

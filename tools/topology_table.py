@@ -196,6 +196,8 @@ def laid_flat(planish, path, folder, seconds):
     if best[0] in ("empty", "not manifold", "pattern"):
         return best
     cut = judged(*run(planish, path, folder / "cut", ["--cut", "open"], seconds))
+    if best[0] == "topology":
+        return cut
     return min(best, cut, key=lambda outcome: KINDS.index(outcome[0]))
 
 

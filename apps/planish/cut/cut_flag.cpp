@@ -95,9 +95,10 @@ CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
   const CutGraphOptions options = {
       .keep_holes = false,
       .along_edges = !is_through_triangles(arguments),
-      .most_scale = limits.most_scale,
+      .relieve = true,
       .most_pieces = limits.most_pieces,
-      .unfold = {.open_crossings = k_hair / millimetres_per(unit_from(arguments))}};
+      .unfold = {.match_seams = limits.match_seams,
+                 .open_crossings = k_hair / millimetres_per(unit_from(arguments))}};
   CutGraph graph = cut_graph(patch, options, session.silent_context());
   session.note(graph.lines == 0 ? "--cut open: the surface lies flat without a cut"
                                 : "--cut open: cut along " + counted(graph.lines, "line") + ", " +

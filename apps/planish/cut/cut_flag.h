@@ -27,10 +27,10 @@ struct CutInput {
   std::optional<CutOutcome> cut = {};
 };
 
-/// How far `--cut open` goes, besides cuts that make disks.
+/// How far `--cut open` goes.
 struct OpeningLimits {
-  std::optional<double> most_scale = 1.0;  ///< as CutGraphOptions has it
-  std::size_t most_pieces = 1;             ///< as CutGraphOptions has it
+  std::size_t most_pieces = 1;  ///< as CutGraphOptions has it
+  bool match_seams = false;     ///< the pieces are sewn to others
 };
 
 /// @throws Error as read_cuts(), cut_open() and cut_graph()

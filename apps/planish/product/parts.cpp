@@ -323,10 +323,11 @@ constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
 
 /// The pieces that a patch is cut into.
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
-                                    const Arguments& arguments, Session& session,
-                                    CutOutcome& outcome) {
-  CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                              {.most_pieces = k_most_pieces});
+                                    bool is_one_of_several, const Arguments& arguments,
+                                    Session& session, CutOutcome& outcome) {
+  CutInput cut =
+      cut_as_asked(std::move(patch.mesh), path, arguments, session,
+                   {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
   outcome.edges += cut.cut->edges;
   outcome.length += cut.cut->length;
   std::vector<ProductPatch> pieces;
@@ -363,7 +364,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     if (input.patches[p].failure) {
       pieces.push_back(std::move(input.patches[p]));
     } else {
-      pieces = cut_patch(std::move(input.patches[p]), path, arguments, session, outcome);
+      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session,
+                         outcome);
     }
     formats.insert(formats.end(), pieces.size(), format);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));

@@ -82,9 +82,9 @@ struct CutGraphOptions {
   /// Cuts follow edges. Else each is a geodesic through triangles, from one place where cuts meet to
   /// the next.
   bool along_edges = false;
-  /// Cuts also lead to the tips of limbs at which the conformal map shrinks by more than this power
-  /// of e. Nothing: they do not.
-  std::optional<double> most_scale = {};
+  /// Cuts also run along sharp creases, but for one straight part of a crease from face to face,
+  /// and to the tips of limbs, where the pattern would have to stretch much else.
+  bool relieve = false;
   /// Each part of the mesh is divided into at most so many pieces, until no pattern overlaps itself.
   std::size_t most_pieces = 1;
   UnfoldOptions unfold = {};  ///< how these patterns are made

@@ -25,10 +25,15 @@ CornerFans fans_of(const TriMesh& mesh, std::span<const EdgeEnds> cut) {
 }  // namespace
 
 CutMesh cut_open(const Patch& patch, std::span<const CutPath> paths) {
+  std::vector<std::vector<Index>> full = full_paths(patch, paths);
+  refuse_idle_cuts(patch, paths, full);
+  return open_edges(patch, std::move(full));
+}
+
+CutMesh open_edges(const Patch& patch, std::vector<std::vector<Index>> paths) {
   const TriMesh& mesh = patch.mesh();
   CutMesh cut;
-  cut.paths = full_paths(patch, paths);
-  refuse_idle_cuts(patch, paths, cut.paths);
+  cut.paths = std::move(paths);
   const std::vector<EdgeEnds> edges = edges_of(cut.paths);
   cut.edges = edges.size();
   for (const EdgeEnds& edge : edges)

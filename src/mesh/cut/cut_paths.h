@@ -24,4 +24,8 @@ std::vector<EdgeEnds> edges_of(std::span<const std::vector<Index>> paths);
 void refuse_idle_cuts(const Patch& patch, std::span<const CutPath> paths,
                       std::span<const std::vector<Index>> full);
 
+/// Opens edges, as cut_open() does, wherever they are.
+/// @param paths of inner edges, every vertex
+CutMesh open_edges(const Patch& patch, std::vector<std::vector<Index>> paths);
+
 }  // namespace planish

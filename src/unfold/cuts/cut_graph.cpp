@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t k_tips = 8;    // that are cut to at once
 constexpr int k_rounds = 6;          // of looking for tips
 constexpr double k_as_strong = 0.5;  // of the strongest tip
+constexpr double k_most_scale = 1.0;   // power of e by which a map may shrink a tip
+constexpr double k_least_hinge = 0.2;  // of a face, over the root of its area
 
 /// Cuts from the border to the tips of limbs, where the conformal map would shrink too much.
 void open_tips(Opening& opening, double most, const Context& context) {
@@ -43,22 +45,27 @@ void open_tips(Opening& opening, double most, const Context& context) {
   }
 }
 
-Opening opened(TriMesh mesh, std::vector<double> weights, const CutGraphOptions& options,
-               const Context& context) {
-  Opening opening(std::move(mesh), std::move(weights), options.keep_holes, options.along_edges);
-  opening.open_handles(context);
-  if (opening.patch().border_loops().empty())
-    opening.cut_along(cut_of_closed(opening.patch(), opening.weights()), context);
-  if (options.most_scale) open_tips(opening, *options.most_scale, context);
-  return opening;
+/// The parts of a mesh that cuts along creases leave, each opened.
+std::vector<Opening> opened(TriMesh mesh, std::vector<double> weights,
+                            const CutGraphOptions& options, const Context& context) {
+  Opening whole(std::move(mesh), std::move(weights), options.keep_holes, options.along_edges);
+  if (options.relieve) whole.cut_creases(options.most_pieces > 1 ? k_least_hinge : 0.0);
+  std::vector<Opening> parts = whole.parts();
+  for (Opening& opening : parts) {
+    opening.open_handles(context);
+    if (opening.patch().border_loops().empty())
+      opening.cut_along(cut_of_closed(opening.patch(), opening.weights()), context);
+    if (options.relieve) open_tips(opening, k_most_scale, context);
+  }
+  return parts;
 }
 
 /// A path that divides what cannot be laid flat without overlap; nothing where it can.
-std::optional<std::vector<Index>> division_of(const Opening& piece, const CutGraphOptions& options,
+std::optional<std::vector<Index>> division_of(const Opening& piece, const UnfoldOptions& options,
                                               const Context& context) {
   Pattern pattern;
   try {
-    pattern = unfold(piece.patch(), options.unfold, context);
+    pattern = unfold(piece.patch(), options, context);
     if (!pattern.overlaps) return std::nullopt;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::unfold_failed) return std::nullopt;
@@ -66,16 +73,23 @@ std::optional<std::vector<Index>> division_of(const Opening& piece, const CutGra
   return dividing_path(piece.patch(), pattern.positions, piece.weights());
 }
 
-/// The piece divided until no pattern overlaps.
-std::vector<Opening> divided(Opening whole, const CutGraphOptions& options,
+/// The pieces divided until no pattern overlaps.
+std::vector<Opening> divided(std::vector<Opening> open, const CutGraphOptions& options,
                              const Context& context) {
-  std::vector<Opening> done, open = {std::move(whole)};
+  std::vector<Opening> done;
   while (!open.empty()) {
     Opening piece = std::move(open.back());
     open.pop_back();
+    const std::size_t count = done.size() + open.size() + 1;
     std::optional<std::vector<Index>> path;
-    if (done.size() + open.size() + 1 < options.most_pieces)
-      path = division_of(piece, options, context);
+    if (count < options.most_pieces) {
+      // What is cut is sewn again: in a product both sides are equally long.
+      UnfoldOptions how = options.unfold;
+      how.match_seams = how.match_seams || count > 1;
+      how.match_if_possible = true;
+      if (how.match_seams) how.free_edges = piece.old_border();
+      path = division_of(piece, how, context);
+    }
     if (!path) {
       done.push_back(std::move(piece));
       continue;
@@ -167,8 +181,8 @@ CutGraph cut_graph(const Patch& patch, const CutGraphOptions& options, const Con
       part_of_vertex[v] = k;
       if (!options.weights.empty()) weights.push_back(options.weights[v]);
     }
-    Opening whole = opened(parts[k].mesh, std::move(weights), options, context);
-    for (Opening& piece : divided(std::move(whole), options, context)) {
+    std::vector<Opening> open = opened(parts[k].mesh, std::move(weights), options, context);
+    for (Opening& piece : divided(std::move(open), options, context)) {
       pieces.push_back({std::move(piece), &parts[k]});
       part_of.push_back(k);
     }

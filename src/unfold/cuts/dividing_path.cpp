@@ -18,7 +18,6 @@ namespace {
 constexpr std::size_t k_places = 48;      // on the outline from which paths are tried
 constexpr std::size_t k_crossings = 1000;  // that are looked at
 constexpr double k_least_part = 0.03;      // of the outline that a path takes off
-constexpr double k_least_apart = 0.5;      // of the crossings that it undoes
 
 using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -96,7 +95,7 @@ class Divider {
       const double apart = crossings_.empty() ? 1.0
                                               : static_cast<double>(undone[k]) /
                                                     static_cast<double>(crossings_.size());
-      if (part < k_least_part * along_.back() || apart < k_least_apart) continue;
+      if (part < k_least_part * along_.back() || apart <= 0.0) continue;
       const double cost = tree.distance[outline_[to]] / (part * apart);
       if (cost < best.cost) best = {cost, from, to};
     }

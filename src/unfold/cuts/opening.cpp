@@ -8,10 +8,10 @@
 #include <planish/mesh/imprint.h>
 
 #include "core/job.h"
+#include "mesh/cut/cut_paths.h"
 #include "mesh/cut/inside_paths.h"
 #include "mesh/split.h"
-#include "unfold/cuts/disk_cuts.h"
-#include "unfold/cuts/reduced_paths.h"
+#include "unfold/cuts/crease_cuts.h"
 #include "unfold/cuts/tight_line.h"
 #include "unfold/cuts/tube_loops.h"
 
@@ -23,10 +23,18 @@ Opening::Opening(TriMesh mesh, std::vector<double> weights, bool keep_holes, boo
       triangle_of_(patch_.triangles().size()),
       weights_(std::move(weights)),
       is_hole_(patch_.vertex_count(), 0),
+      was_border_(patch_.vertex_count(), 0),
+      keep_holes_(keep_holes),
       along_edges_(along_edges) {
   std::iota(source_.begin(), source_.end(), Index{0});
   std::iota(triangle_of_.begin(), triangle_of_.end(), Index{0});
-  if (!keep_holes) return;
+  for (Index v = 0; v < patch_.vertex_count(); ++v)
+    was_border_[v] = patch_.is_border(v) ? 1 : 0;
+}
+
+void Opening::find_holes() {
+  std::fill(is_hole_.begin(), is_hole_.end(), 0);
+  if (!keep_holes_) return;
   for (const auto& loop : patch_.border_loops()) {
     for (const Index v : loop)
       is_hole_[v] = 1;
@@ -52,7 +60,7 @@ std::size_t Opening::left_to_open() const {
 }
 
 /// The paths, drawn tight but for the first `kept`, as edges of a mesh that has them.
-Opening::Paths Opening::as_edges(const Paths& paths, std::size_t kept, const Context& context) {
+Chains Opening::as_edges(const Chains& paths, std::size_t kept, const Context& context) {
   if (along_edges_) return paths;
   std::vector<SurfaceLine> lines;
   for (const std::vector<Index>& path : paths) {
@@ -63,14 +71,16 @@ Opening::Paths Opening::as_edges(const Paths& paths, std::size_t kept, const Con
   for (const SurfacePoint& place : made.new_vertices) {
     source_.push_back(none);
     double weight = 0.0;
-    bool is_hole = true;
+    bool is_hole = true, was_border = true;
     for (std::size_t k = 0; k < 3; ++k) {
       if (place.shares[k] == 0.0) continue;
       if (!weights_.empty()) weight += place.shares[k] * weights_[place.corners[k]];
       is_hole = is_hole && is_hole_[place.corners[k]] != 0;
+      was_border = was_border && was_border_[place.corners[k]] != 0;
     }
     if (!weights_.empty()) weights_.push_back(weight);
     is_hole_.push_back(is_hole ? 1 : 0);
+    was_border_.push_back(was_border ? 1 : 0);
   }
   for (Index& triangle : made.triangle_of)
     triangle = triangle_of_[triangle];
@@ -79,9 +89,20 @@ Opening::Paths Opening::as_edges(const Paths& paths, std::size_t kept, const Con
   return std::move(made.paths);
 }
 
-void Opening::cut(const Paths& paths) {
+std::vector<std::array<Index, 2>> Opening::old_border() const {
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& loop : patch_.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+      if (was_border_[v] != 0 && was_border_[w] != 0) edges.push_back({v, w});
+    }
+  }
+  return edges;
+}
+
+void Opening::cut(const Chains& paths) {
   if (paths.empty()) return;
-  CutMesh cut = planish::cut_along(patch_, paths);
+  CutMesh cut = open_edges(patch_, paths);
   for (const std::vector<Index>& path : paths) {
     paths_.push_back(path);
     if (!along_edges_) continue;
@@ -105,11 +126,12 @@ void Opening::carry(std::span<const Index> vertices) {
   };
   source_ = carried(source_);
   is_hole_ = carried(is_hole_);
+  was_border_ = carried(was_border_);
   if (!weights_.empty()) weights_ = carried(weights_);
 }
 
 void Opening::open_along(const EssentialPath& way, const Context& context) {
-  Paths edges = as_edges({way.path}, 0, context);
+  Chains edges = as_edges({way.path}, 0, context);
   const auto meets_border = [&](Index v) { return patch_.is_border(v); };
   const std::vector<Index>& loop = edges.front();
   const bool is_apart = loops_but_holes() > 0 && std::none_of(loop.begin(), loop.end(), meets_border);
@@ -128,7 +150,12 @@ void Opening::open_along(const EssentialPath& way, const Context& context) {
   cut(reduced_paths(patch_, edges, false));
 }
 
+void Opening::cut_creases(double least_hinge) {
+  cut(crease_cuts(patch_, least_hinge));
+}
+
 void Opening::open_handles(const Context& context) {
+  find_holes();
   while (const auto way = essential_path(patch_, is_hole_, weights_)) {
     stop_if_cancelled(context);
     const Opening before = *this;
@@ -137,14 +164,14 @@ void Opening::open_handles(const Context& context) {
     if (left_to_open() < left && patch_.inspection().topology.components == 1) continue;
     // A line that was drawn tight may have nothing left to cut.
     *this = before;
-    cut(reduced_paths(patch_, Paths{way->path}, false));
+    cut(reduced_paths(patch_, Chains{way->path}, false));
     if (left_to_open() >= left) return;
   }
 }
 
 void Opening::cut_along(const std::vector<Index>& path, const Context& context) {
   const Opening before = *this;
-  Paths edges = as_edges({path}, 0, context);
+  Chains edges = as_edges({path}, 0, context);
   // A straight line may be a single edge, which opens nothing in a closed surface.
   if (patch_.border_loops().empty() && edges.front().size() < 3) {
     *this = before;
@@ -154,7 +181,7 @@ void Opening::cut_along(const std::vector<Index>& path, const Context& context) 
 }
 
 void Opening::divide_along(const std::vector<Index>& path, const Context& context) {
-  Paths chains = inner_chains(patch_, as_edges({path}, 0, context));
+  Chains chains = inner_chains(patch_, as_edges({path}, 0, context));
   chains.resize(std::min<std::size_t>(chains.size(), 1));
   cut(chains);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include <planish/mesh/patch.h>
 
 #include "unfold/cuts/essential_path.h"
+#include "unfold/cuts/reduced_paths.h"
 
 namespace planish {
 
@@ -29,10 +30,14 @@ class Opening {
   const std::vector<double>& weights() const { return weights_; }
   /// What was cut, by vertices of the mesh as it was then made; with along_edges by those of the
   /// mesh as it came.
-  const std::vector<std::vector<Index>>& paths() const { return paths_; }
+  const Chains& paths() const { return paths_; }
+  /// The edges of the border that were there before any cut.
+  std::vector<std::array<Index, 2>> old_border() const;
   std::size_t edges() const { return edges_; }
   double length() const { return length_; }
 
+  /// Cuts along creases, as crease_cuts() says; that may divide the mesh.
+  void cut_creases(double least_hinge);
   /// Cuts until the mesh has no handle, and one border loop besides holes; a closed one is left
   /// as it is where it has no handle.
   void open_handles(const Context& context);
@@ -45,21 +50,21 @@ class Opening {
   std::vector<Opening> parts() const;
 
  private:
-  using Paths = std::vector<std::vector<Index>>;
 
+  void find_holes();
   std::size_t loops_but_holes() const;
   std::size_t left_to_open() const;
-  Paths as_edges(const Paths& paths, std::size_t kept, const Context& context);
+  Chains as_edges(const Chains& paths, std::size_t kept, const Context& context);
   void open_along(const EssentialPath& way, const Context& context);
-  void cut(const Paths& paths);
+  void cut(const Chains& paths);
   void carry(std::span<const Index> vertices);
 
   Patch patch_;
   std::vector<Index> source_, triangle_of_;  // as it came
   std::vector<double> weights_;
-  std::vector<unsigned char> is_hole_;  // by vertex
-  bool along_edges_;
-  Paths paths_;
+  std::vector<unsigned char> is_hole_, was_border_;  // by vertex
+  bool keep_holes_, along_edges_;
+  Chains paths_;
   std::size_t edges_ = 0;
   double length_ = 0.0;
 };

@@ -51,20 +51,18 @@ std::string_view way_on(ErrorCode code) {
       return "Divide the band in the program that made it, and take one part after the other with "
              "--only NAME";
     case ErrorCode::closed_surface:
-      return "Cut it open with --cut open or --cut LINES (planish suggest-cuts finds where); of a "
-             "wall take "
-             ""
-             "--side outer; leave a piece out with --without NAME";
+      return "Cut it open with --cut open, or along lines of your own with --cut FILE; of a wall "
+             "take --side outer; leave a piece out with --without NAME";
     case ErrorCode::open_surface:
       return "Close it in the program that made it, or leave --obstacle out";
     case ErrorCode::several_components:
       return "Take one with --only NAME, lay all flat with planish flatten, or join those that "
              "touch with --weld";
     case ErrorCode::several_border_loops:
-      return "Cut a tube from one border to the other with --cut open or --cut LINES (planish "
-             "suggest-cuts finds where); join an open seam with --weld";
+      return "Cut a tube open with --cut open, or along lines of your own with --cut FILE; join an "
+             "open seam with --weld";
     case ErrorCode::handles:
-      return "Cut each handle open with --cut open, or along a line around it with --cut LINES";
+      return "Cut each handle open with --cut open, or along lines of your own with --cut FILE";
     case ErrorCode::no_inner_vertex:
       return "Join loose triangles with --weld; mesh a piece that is one with several rows of "
              "facets "

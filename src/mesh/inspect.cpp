@@ -199,12 +199,10 @@ void find_tubes(const TriMesh& mesh, const Connectivity& connectivity, const Top
   const std::vector<CurveSize> sizes = sizes_of_loops(mesh.positions, loops);
   const std::size_t outer = outer_loop(sizes);
   std::vector<std::size_t> ends, slits;
-  double slit = 0.0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     if (k == outer) continue;
     if (is_slit(mesh.positions, scale, loops[k])) {
       slits.push_back(k);
-      slit = std::max(slit, sizes[k].length);
     } else if (is_tube_end(border_turning(mesh.positions, connectivity, scale, loops[k]))) {
       ends.push_back(k);
     }
@@ -214,13 +212,12 @@ void find_tubes(const TriMesh& mesh, const Connectivity& connectivity, const Top
     add(problems, ErrorCode::several_border_loops,
         "a seam inside the mesh is open: " +
             counted(slits.size(), "border loop encloses", "border loops enclose") +
-            " nothing, the first with vertex " + std::to_string(vertex(slits)) + "; --fill-holes " +
-            number_text(rounded_up(slit)) + " joins it",
+            " nothing, the first with vertex " + std::to_string(vertex(slits)),
         slits.size(), vertex(slits));
   } else if (!ends.empty()) {
     add(problems, ErrorCode::several_border_loops,
         "the surface is a tube: the border loop with vertex " + std::to_string(vertex(ends)) +
-            " goes around it and is no hole in flat sheet; --cut open opens it",
+            " goes around it and is no hole in flat sheet",
         ends.size(), vertex(ends));
   }
 }

@@ -82,6 +82,7 @@ LEFT_OUT = {
     "--seam-notches": "of several patches",
     "--csv": "of several files",
     "--output-format": "of several files",
+    "--avoid": "of --cut open",
     "--fold": "needs a straight border",
     "--without": "of several pieces",
 }

@@ -6,8 +6,8 @@
 #include "batch/several_files.h"
 #include "commands/commands.h"
 #include "commands/jobs.h"
-#include "flags/constraint_flags.h"
 #include "cut/cut_flag.h"
+#include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
@@ -63,7 +63,8 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Evolv
 
 CommandResult evolve_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
-  refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
+  refuse_single_file_flags(arguments,
+                           std::array{"--cut", "--avoid", "--history", "--fix", "--weights"});
   const EvolveRequest request = evolve_request_from(arguments);
   const auto format = output_format_from(all, names_of(k_mesh_formats));
   const SeveralFiles job = {

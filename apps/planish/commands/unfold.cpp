@@ -118,8 +118,8 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
 CommandResult unfold_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(
-      arguments, std::array{"--cut", "--notches", "--marks", "--edge-allowances", "--inner-lines",
-                            "--piece-name"});
+      arguments, std::array{"--cut", "--avoid", "--notches", "--marks", "--edge-allowances",
+                            "--inner-lines", "--piece-name"});
   const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
   const UnfoldRequest request = request_from(arguments, "pattern" + extension);
   const SeveralFiles job = {
@@ -217,8 +217,8 @@ Command unfold_command() {
       "Lays a patch flat with its stretch spread and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
       "one and ends with exit code 3. The patch must be one piece without handles, and no tube: "
-      "--cut "
-      "open opens these; holes stay. Of several inputs, or of all mesh files of a folder, prints a "
+      "--cut open opens any other; holes stay. Of several inputs, or of all mesh files of a folder, "
+      "prints a "
       "line each and writes the patterns into the folder OUTPUT; with --csv they may be left out. "
       "One that fails does not end the others, but the exit code is 1 at the end.",
       {"INPUT"},

@@ -33,7 +33,11 @@ std::vector<Flag> cut_flags() {
       "--smooth-lines", "ANSWER",
       "take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)"};
   smooth.accepts = {.choices = {"yes", "no"}, .standard = "yes"};
-  return {cut, along, smooth};
+  Flag avoid = {"--avoid", "FILE",
+                "places that the cuts of --cut open go round where they can: vertices one a line, "
+                "or an .obj with lines or points over the mesh"};
+  avoid.accepts.type = ValueType::file;
+  return {cut, along, smooth, avoid};
 }
 
 namespace {
@@ -88,12 +92,27 @@ CutMesh cut_through_edges(const TriMesh& mesh, const Arguments& arguments, Sessi
   return cut_open(Patch(mesh), along.paths);
 }
 
+/// What lengths near each vertex count for: more at those that --avoid names.
+std::vector<double> weights_from(const Arguments& arguments, const Patch& patch) {
+  constexpr double k_avoided = 20.0;
+  if (!arguments.has("--avoid")) return {};
+  const FixedVertices avoided =
+      arguments.rows.contains("--avoid")
+          ? FixedVertices{fixed_vertices_in(arguments.rows_of("--avoid"), patch.vertex_count())}
+          : read_fixed_vertices(path_of(arguments.text("--avoid")), as_in_file(patch, arguments));
+  std::vector<double> weights(patch.vertex_count(), 1.0);
+  for (const Index v : avoided.vertices)
+    weights[v] = k_avoided;
+  return weights;
+}
+
 /// Opens what is no disk.
 CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
                 const OpeningLimits& limits, const ShownLengths& lengths) {
   const Patch patch(std::move(mesh));
   const CutGraphOptions options = {
       .keep_holes = false,
+      .weights = weights_from(arguments, patch),
       .along_edges = !is_through_triangles(arguments),
       .relieve = true,
       .most_pieces = limits.most_pieces,
@@ -110,6 +129,9 @@ CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
 
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits) {
+  const bool opens = arguments.has("--cut") && asks_to_open(arguments);
+  if (arguments.has("--avoid") && !opens)
+    throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");
   if (!arguments.has("--cut")) return {std::move(mesh)};
   return about(path, [&]() -> CutInput {
     const ShownLengths lengths(unit_from(arguments));
@@ -122,7 +144,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                    ", " + lengths.text(cut.length));
       result = {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
     }
-    if (!asks_to_open(arguments)) return result;
+    if (!opens) return result;
     CutInput open = opened(std::move(result.mesh), arguments, session, limits, lengths);
     open.cut->edges += result.cut->edges;
     open.cut->length += result.cut->length;

@@ -325,9 +325,8 @@ constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
                                     bool is_one_of_several, const Arguments& arguments,
                                     Session& session, CutOutcome& outcome) {
-  CutInput cut =
-      cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                   {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+  CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
+                              {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
   outcome.edges += cut.cut->edges;
   outcome.length += cut.cut->length;
   std::vector<ProductPatch> pieces;
@@ -346,8 +345,9 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
   if (!arguments.has("--cut")) return std::nullopt;
   const bool are_several = input.patches.size() > 1 || input.is_described;
   if (are_several && asks_for_lines(arguments)) {
-    throw UsageError("flag --cut goes with one patch only, but --cut open; the input has several: "
-                     "take one with --only NAME");
+    throw UsageError(
+        "flag --cut goes with one patch only, but --cut open; the input has several: "
+        "take one with --only NAME");
   }
   CutOutcome outcome;
   std::vector<ProductPatch> patches;
@@ -364,8 +364,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     if (input.patches[p].failure) {
       pieces.push_back(std::move(input.patches[p]));
     } else {
-      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session,
-                         outcome);
+      pieces =
+          cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, outcome);
     }
     formats.insert(formats.end(), pieces.size(), format);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));

@@ -79,13 +79,14 @@ struct CutGraphOptions {
   /// Of each vertex: what lengths near it count for, above 0, so that cuts go elsewhere where that
   /// is large. Empty: 1 everywhere.
   std::vector<double> weights = {};
-  /// Cuts follow edges. Else each is a geodesic through triangles, from one place where cuts meet to
-  /// the next.
+  /// Cuts follow edges. Else each is a geodesic through triangles, from one place where cuts meet
+  /// to the next.
   bool along_edges = false;
   /// Cuts also run along sharp creases, but for one straight part of a crease from face to face,
   /// and to the tips of limbs, where the pattern would have to stretch much else.
   bool relieve = false;
-  /// Each part of the mesh is divided into at most so many pieces, until no pattern overlaps itself.
+  /// Each part of the mesh is divided into at most so many pieces, until no pattern overlaps
+  /// itself.
   std::size_t most_pieces = 1;
   UnfoldOptions unfold = {};  ///< how these patterns are made
 };
@@ -98,11 +99,11 @@ struct CutGraph {
   /// Vertices of the mesh keep their numbers; copies and new ones come behind. Triangles that a cut
   /// runs through are divided in their place.
   TriMesh mesh;
-  std::vector<Index> source;                    ///< of each vertex: the one that it is or copies
-  std::vector<std::vector<Index>> paths = {};   ///< with along_edges: by vertices of the input
-  std::size_t lines = 0;                        ///< cuts that were made
-  std::size_t edges = 0;                        ///< that were opened, each once
-  double length = 0.0;                          ///< of these, model units
+  std::vector<Index> source;                   ///< of each vertex: the one that it is or copies
+  std::vector<std::vector<Index>> paths = {};  ///< with along_edges: by vertices of the input
+  std::size_t lines = 0;                       ///< cuts that were made
+  std::size_t edges = 0;                       ///< that were opened, each once
+  double length = 0.0;                         ///< of these, model units
 };
 
 /// Opens a mesh by short cuts so that every part of it can be laid flat: none for a disk. A handle

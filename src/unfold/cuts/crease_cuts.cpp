@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include <planish/measure/flattenability.h>
 #include <planish/mesh/cut.h>
 
 #include "geometry/angle_between.h"
@@ -20,6 +21,7 @@ constexpr double k_sharp = 40.0 * std::numbers::pi / 180.0;     // between norma
 constexpr double k_straight = 10.0 * std::numbers::pi / 180.0;  // a part of a crease turns less
 constexpr double k_small = 0.01;                                // of the area: no face
 constexpr std::size_t k_most_faces = 200;
+constexpr double k_least_share = 0.5;  // of the angle defects, that lies on creases
 
 Chains sharp_edges(const Patch& patch) {
   const auto at = [&](Index v) { return patch.unit_scale() * patch.positions()[v]; };
@@ -61,6 +63,22 @@ Chains around_large_faces(const Patch& patch, Chains chains, Regions& regions) {
   return without_loose(patch, std::move(chains));
 }
 
+/// Of the sizes of all angle defects, what lies on the chains.
+double share_of_defects(const Patch& patch, const Chains& chains) {
+  std::vector<unsigned char> is_on(patch.vertex_count(), 0);
+  for (const auto& chain : chains) {
+    for (const Index v : chain)
+      is_on[v] = 1;
+  }
+  const std::vector<double> defects = angle_defects(patch);
+  double here = 0.0, all = 0.0;
+  for (std::size_t v = 0; v < defects.size(); ++v) {
+    all += std::abs(defects[v]);
+    if (is_on[v] != 0) here += std::abs(defects[v]);
+  }
+  return all > 0.0 ? here / all : 0.0;
+}
+
 /// The parts of chains between places where they turn, the longest first.
 Chains straight_parts(const Patch& patch, const Chains& chains) {
   Chains parts;
@@ -89,6 +107,7 @@ Chains straight_parts(const Patch& patch, const Chains& chains) {
 
 Chains crease_cuts(const Patch& patch, double least_hinge) {
   Chains chains = without_loose(patch, inner_chains(patch, sharp_edges(patch)));
+  if (share_of_defects(patch, chains) < k_least_share) return {};
   Regions regions(patch, chains);
   chains = around_large_faces(patch, std::move(chains), regions);
   if (chains.empty() || regions.count() > k_most_faces) return {};

@@ -19,9 +19,9 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_tips = 8;    // that are cut to at once
-constexpr int k_rounds = 6;          // of looking for tips
-constexpr double k_as_strong = 0.5;  // of the strongest tip
+constexpr std::size_t k_tips = 8;      // that are cut to at once
+constexpr int k_rounds = 6;            // of looking for tips
+constexpr double k_as_strong = 0.5;    // of the strongest tip
 constexpr double k_most_scale = 1.0;   // power of e by which a map may shrink a tip
 constexpr double k_least_hinge = 0.2;  // of a face, over the root of its area
 
@@ -36,8 +36,10 @@ void open_tips(Opening& opening, double most, const Context& context) {
       stop_if_cancelled(context);
       const Patch& patch = opening.patch();
       if (tip.log_scale > least || patch.is_border(tip.vertex)) continue;
-      auto path = InsidePaths(patch, opening.weights())
-                      .from(std::span(&tip.vertex, 1), [&](Index v) { return patch.is_border(v); });
+      auto path =
+          InsidePaths(patch, opening.weights()).from(std::span(&tip.vertex, 1), [&](Index v) {
+            return patch.is_border(v);
+          });
       if (!path) continue;
       std::reverse(path->begin(), path->end());
       opening.cut_along(*path, context);

@@ -15,7 +15,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_places = 48;      // on the outline from which paths are tried
+constexpr std::size_t k_places = 24;       // on the outline from which paths are tried
 constexpr std::size_t k_crossings = 1000;  // that are looked at
 constexpr double k_least_part = 0.03;      // of the outline that a path takes off
 
@@ -43,8 +43,7 @@ class Divider {
     for (std::size_t k = 0; k <= outline_.size(); ++k) {
       const Index v = outline_[k % outline_.size()];
       const Index before = outline_[(k + outline_.size() - 1) % outline_.size()];
-      const double step =
-          norm(scale * patch.positions()[v] - scale * patch.positions()[before]);
+      const double step = norm(scale * patch.positions()[v] - scale * patch.positions()[before]);
       along_.push_back(k == 0 ? 0.0 : along_.back() + step);
     }
     if (pattern.empty()) return;

@@ -10,9 +10,9 @@ namespace planish {
 
 /// Along which a surface can be cut and does not fall apart.
 struct EssentialPath {
-  std::vector<Index> path;       ///< from border to border, or a loop: its first vertex is the last
-  bool is_loop = false;          ///< else it begins and ends at the border
-  bool is_apart = false;         ///< a loop that does not meet the border
+  std::vector<Index> path;  ///< from border to border, or a loop: its first vertex is the last
+  bool is_loop = false;     ///< else it begins and ends at the border
+  bool is_apart = false;    ///< a loop that does not meet the border
 };
 
 /// A short path of edges around a handle, or from one border loop to another; nothing where there

@@ -53,10 +53,21 @@ std::size_t Opening::loops_but_holes() const {
   }));
 }
 
-/// How many cuts are needed at least; each that a path is led through counts on its own.
+/// How many cuts are needed at least.
 std::size_t Opening::left_to_open() const {
-  const std::size_t loops = loops_but_holes(), all = patch_.border_loops().size();
-  return 2 * patch_.inspection().topology.genus + (loops > 0 ? loops - 1 : 0) + (all - loops);
+  const std::size_t loops = loops_but_holes();
+  return 2 * patch_.inspection().topology.genus + (loops > 0 ? loops - 1 : 0);
+}
+
+/// The same where holes are opened too. Each cut makes it less, also one that a hole is in the way
+/// of and that only makes the hole a part of the outline.
+std::size_t Opening::left_with_holes() const {
+  const std::size_t loops = patch_.border_loops().size();
+  return 2 * patch_.inspection().topology.genus + (loops > 0 ? loops - 1 : 0);
+}
+
+bool Opening::is_whole() const {
+  return patch_.inspection().topology.components == 1;
 }
 
 /// The paths, drawn tight but for the first `kept`, as edges of a mesh that has them.
@@ -134,7 +145,8 @@ void Opening::open_along(const EssentialPath& way, const Context& context) {
   Chains edges = as_edges({way.path}, 0, context);
   const auto meets_border = [&](Index v) { return patch_.is_border(v); };
   const std::vector<Index>& loop = edges.front();
-  const bool is_apart = loops_but_holes() > 0 && std::none_of(loop.begin(), loop.end(), meets_border);
+  const bool is_apart =
+      loops_but_holes() > 0 && std::none_of(loop.begin(), loop.end(), meets_border);
   if (is_apart) {
     std::vector<unsigned char> is_on_loop(patch_.vertex_count(), 0);
     for (const Index v : loop)
@@ -143,8 +155,8 @@ void Opening::open_along(const EssentialPath& way, const Context& context) {
     for (Index v = 0; v < patch_.vertex_count(); ++v) {
       if (patch_.is_border(v) && is_hole_[v] == 0) roots.push_back(v);
     }
-    const auto there = InsidePaths(patch_, weights_).from(
-        roots, [&](Index v) { return is_on_loop[v] != 0; });
+    const auto there =
+        InsidePaths(patch_, weights_).from(roots, [&](Index v) { return is_on_loop[v] != 0; });
     if (there) edges = as_edges({loop, *there}, 1, context);
   }
   cut(reduced_paths(patch_, edges, false));
@@ -156,16 +168,18 @@ void Opening::cut_creases(double least_hinge) {
 
 void Opening::open_handles(const Context& context) {
   find_holes();
-  while (const auto way = essential_path(patch_, is_hole_, weights_)) {
+  while (left_to_open() > 0) {
     stop_if_cancelled(context);
+    const auto way = essential_path(patch_, is_hole_, weights_);
+    if (!way) return;
     const Opening before = *this;
-    const std::size_t left = left_to_open();
+    const std::size_t left = left_with_holes();
     open_along(*way, context);
-    if (left_to_open() < left && patch_.inspection().topology.components == 1) continue;
+    if (is_whole() && left_with_holes() < left) continue;
     // A line that was drawn tight may have nothing left to cut.
     *this = before;
     cut(reduced_paths(patch_, Chains{way->path}, false));
-    if (left_to_open() >= left) return;
+    if (!is_whole() || left_with_holes() >= left) return;
   }
 }
 

@@ -50,10 +50,11 @@ class Opening {
   std::vector<Opening> parts() const;
 
  private:
-
   void find_holes();
   std::size_t loops_but_holes() const;
   std::size_t left_to_open() const;
+  std::size_t left_with_holes() const;
+  bool is_whole() const;
   Chains as_edges(const Chains& paths, std::size_t kept, const Context& context);
   void open_along(const EssentialPath& way, const Context& context);
   void cut(const Chains& paths);

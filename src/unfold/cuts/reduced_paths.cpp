@@ -119,8 +119,7 @@ Regions::Regions(const Patch& patch, std::span<const std::vector<Index>> chains)
   const double scale = patch.unit_scale();
   for (Index t = 0; t < patch.triangles().size(); ++t) {
     const auto corner = [&](int k) { return scale * patch.positions()[patch.triangles()[t][k]]; };
-    areas_[sets_.first_of(t)] +=
-        0.5 * norm(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    areas_[sets_.first_of(t)] += 0.5 * norm(cross(corner(1) - corner(0), corner(2) - corner(0)));
     if (sets_.first_of(t) == t) ++count_;
   }
 }

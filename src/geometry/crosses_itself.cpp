@@ -49,6 +49,11 @@ std::vector<Vec2> self_crossings(std::span<const Vec2> points, const LoopOrder& 
   return places;
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
+                                                                std::size_t most) {
+  return crossing_sides(polygon, one_loop(polygon), most);
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> points,
                                                                 const LoopOrder& loops,
                                                                 std::size_t most) {

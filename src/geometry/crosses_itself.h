@@ -20,6 +20,8 @@ bool crosses_itself(std::span<const Vec2> points, const LoopOrder& loops);
 
 /// Such sides, by the number of their first end, as far as there are so many pairs, in no special
 /// order.
+std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
+                                                                std::size_t most);
 std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> points,
                                                                 const LoopOrder& loops,
                                                                 std::size_t most);

@@ -64,9 +64,9 @@ HoleClosing hole_closing(const Patch& patch, double scale) {
   HoleClosing most;
   const auto& loops = patch.border_loops();
   if (loops.size() < 2) return most;
-  const std::size_t outer = outer_loop(sizes_of_loops(patch.positions(), loops));
+  const std::size_t outline = border_kinds(patch.positions(), patch.connectivity(), scale).outline;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (k == outer) continue;
+    if (k == outline) continue;
     const HoleClosing closing = closing_of(patch, scale, loops[k]);
     most = {std::max(most.turning, closing.turning), std::max(most.gap, closing.gap)};
   }

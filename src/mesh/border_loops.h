@@ -37,10 +37,33 @@ inline double border_turning(std::span<const Vec3> positions, const Connectivity
   return turning;
 }
 
-/// Whether a loop of the border that is not the outer one is the end of a tube, not a hole: it is
-/// more than half a turn from closing in the plane.
-inline bool is_tube_end(double turning) {
-  return !(std::abs(turning + 2.0 * std::numbers::pi) <= std::numbers::pi);
+/// What the border loops of one part of a mesh are, by their numbers. A loop that turns by -2 pi,
+/// or as much within half a turn, closes in the plane as a hole.
+struct BorderKinds {
+  std::size_t outline = 0;             ///< the largest that is no hole; of holes alone the largest
+  std::vector<std::size_t> tube_ends;  ///< the others that are no holes, increasing
+};
+
+/// @pre there is a loop; the mesh is of one part
+inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectivity& connectivity,
+                                double scale) {
+  const auto& loops = connectivity.border_loops();
+  if (loops.size() == 1) return {};
+  BorderKinds kinds;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const double turning = border_turning(positions, connectivity, scale, loops[k]);
+    const bool closes = std::abs(turning + 2.0 * std::numbers::pi) <= std::numbers::pi;
+    if (!closes) kinds.tube_ends.push_back(k);
+  }
+  const std::vector<CurveSize> sizes = sizes_of_loops(positions, loops);
+  if (kinds.tube_ends.empty()) return {outer_loop(sizes), {}};
+  std::vector<CurveSize> of_ends;
+  for (const std::size_t k : kinds.tube_ends)
+    of_ends.push_back(sizes[k]);
+  const auto largest = kinds.tube_ends.begin() + static_cast<std::ptrdiff_t>(outer_loop(of_ends));
+  kinds.outline = *largest;
+  kinds.tube_ends.erase(largest);
+  return kinds;
 }
 
 /// Whether the sides of a loop lie on each other, as where a seam of the mesh is not joined: it

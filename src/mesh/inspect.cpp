@@ -7,7 +7,6 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
 
-#include "core/number_text.h"
 #include "geometry/curve_size.h"
 #include "mesh/border_loops.h"
 #include "mesh/inspect_manifold.h"
@@ -180,32 +179,17 @@ std::size_t edge_count(const Connectivity& connectivity) {
   return ends / 2;
 }
 
-/// At least the value, with three digits that matter.
-double rounded_up(double value) {
-  double scale = 1.0;
-  while (value * scale < 100.0)
-    scale *= 10.0;
-  while (value * scale >= 1000.0)
-    scale /= 10.0;
-  return (std::floor(value * scale) + 1.0) / scale;
-}
-
 /// Border loops that are no holes in the plane.
 void find_tubes(const TriMesh& mesh, const Connectivity& connectivity, const Topology& topology,
                 std::vector<Problem>& problems) {
   const auto& loops = connectivity.border_loops();
   if (topology.components != 1 || loops.size() < 2) return;
   const double scale = unit_scale(mesh);
-  const std::vector<CurveSize> sizes = sizes_of_loops(mesh.positions, loops);
-  const std::size_t outer = outer_loop(sizes);
-  std::vector<std::size_t> ends, slits;
+  const BorderKinds kinds = border_kinds(mesh.positions, connectivity, scale);
+  const std::vector<std::size_t>& ends = kinds.tube_ends;
+  std::vector<std::size_t> slits;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (k == outer) continue;
-    if (is_slit(mesh.positions, scale, loops[k])) {
-      slits.push_back(k);
-    } else if (is_tube_end(border_turning(mesh.positions, connectivity, scale, loops[k]))) {
-      ends.push_back(k);
-    }
+    if (k != kinds.outline && is_slit(mesh.positions, scale, loops[k])) slits.push_back(k);
   }
   const auto vertex = [&](const std::vector<std::size_t>& some) { return loops[some[0]].front(); };
   if (!slits.empty()) {

@@ -52,7 +52,7 @@ struct Patch {
     const Triangle& tri = mesh.triangles[t];
     const int k = tri[0] == v ? 0 : tri[1] == v ? 1 : 2;
     const Vec3 at = mesh.positions[v];
-    return angle_between(mesh.positions[tri[(k + 1) % 3]] - at,
+    return plain::angle_between(mesh.positions[tri[(k + 1) % 3]] - at,
                          mesh.positions[tri[(k + 2) % 3]] - at);
   }
 
@@ -116,7 +116,7 @@ struct Patch {
     double own_rate = 0.0;
     for (std::size_t j = 0; j < n; ++j) {  // Eq. 16
       const Vec3 p = x - at(r[j]), q = x - at(r[(j + 1) % n]);
-      const double alpha = angle_between(p, q);
+      const double alpha = plain::angle_between(p, q);
       own_rate += -1.0 / std::sin(alpha) * (dot(p, L) + dot(q, L)) / (norm(p) * norm(q)) +
                   1.0 / std::tan(alpha) * (dot(p, L) / dot(p, p) + dot(q, L) / dot(q, q));
     }
@@ -133,7 +133,7 @@ struct Patch {
       const Vec3 p = x - at(r[j]);
       for (const std::size_t m : {(j + n - 1) % n, (j + 1) % n}) {
         const Vec3 e = at(r[m]) - at(r[j]);
-        const double beta = angle_between(p, e);
+        const double beta = plain::angle_between(p, e);
         rate += -1.0 / std::sin(beta) * dot(e, L) / (norm(p) * norm(e)) +
                 1.0 / std::tan(beta) * dot(p, L) / dot(p, p);
       }
@@ -154,7 +154,7 @@ struct Patch {
       for (const Index t : triangles_at[w]) {
         const Triangle& tri = mesh.triangles[t];
         const int k = tri[0] == w ? 0 : tri[1] == w ? 1 : 2;
-        defect = defect - angle_between(place(tri[(k + 1) % 3]) - place(w),
+        defect = defect - plain::angle_between(place(tri[(k + 1) % 3]) - place(w),
                                         place(tri[(k + 2) % 3]) - place(w));
       }
       defects.push_back(defect);

@@ -217,7 +217,8 @@ Command unfold_command() {
       "Lays a patch flat with its stretch spread and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
       "one and ends with exit code 3. The patch must be one piece without handles, and no tube: "
-      "--cut open opens any other; holes stay. Of several inputs, or of all mesh files of a folder, "
+      "--cut open opens any other; holes stay. Of several inputs, or of all mesh files of a "
+      "folder, "
       "prints a "
       "line each and writes the patterns into the folder OUTPUT; with --csv they may be left out. "
       "One that fails does not end the others, but the exit code is 1 at the end.",

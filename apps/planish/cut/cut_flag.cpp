@@ -111,7 +111,7 @@ CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
                 const OpeningLimits& limits, const ShownLengths& lengths) {
   const Patch patch(std::move(mesh));
   const CutGraphOptions options = {
-      .keep_holes = false,
+      .keep_holes = true,
       .weights = weights_from(arguments, patch),
       .along_edges = !is_through_triangles(arguments),
       .relieve = true,

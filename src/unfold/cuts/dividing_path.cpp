@@ -9,6 +9,7 @@
 #include <planish/mesh/cut.h>
 
 #include "geometry/crosses_itself.h"
+#include "mesh/border_loops.h"
 #include "mesh/cut/inside_paths.h"
 
 namespace planish {
@@ -21,12 +22,10 @@ constexpr double k_least_part = 0.03;      // of the outline that a path takes o
 
 using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// The longest border loop.
 const std::vector<Index>& outline_of(const Patch& patch) {
-  const auto& loops = patch.border_loops();
-  return *std::max_element(loops.begin(), loops.end(), [&](const auto& a, const auto& b) {
-    return path_length(a, patch.positions()) < path_length(b, patch.positions());
-  });
+  const BorderKinds kinds =
+      border_kinds(patch.positions(), patch.connectivity(), patch.unit_scale());
+  return patch.border_loops()[kinds.outline];
 }
 
 /// Where a path divides best.

@@ -8,12 +8,12 @@
 #include <planish/mesh/imprint.h>
 
 #include "core/job.h"
+#include "mesh/border_loops.h"
 #include "mesh/cut/cut_paths.h"
 #include "mesh/cut/inside_paths.h"
 #include "mesh/split.h"
 #include "unfold/cuts/crease_cuts.h"
 #include "unfold/cuts/tight_line.h"
-#include "unfold/cuts/tube_loops.h"
 
 namespace planish {
 
@@ -39,8 +39,11 @@ void Opening::find_holes() {
     for (const Index v : loop)
       is_hole_[v] = 1;
   }
-  for (const std::size_t tube : tube_loops(patch_)) {
-    for (const Index v : patch_.border_loops()[tube])
+  if (patch_.border_loops().empty()) return;
+  BorderKinds kinds = border_kinds(patch_.positions(), patch_.connectivity(), patch_.unit_scale());
+  kinds.tube_ends.push_back(kinds.outline);
+  for (const std::size_t k : kinds.tube_ends) {
+    for (const Index v : patch_.border_loops()[k])
       is_hole_[v] = 0;
   }
 }

@@ -7,7 +7,7 @@
 #include "core/math.h"
 #include "core/neumaier_sum.h"
 #include "geometry/crosses_itself.h"
-#include "geometry/curve_size.h"
+#include "mesh/border_loops.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -40,13 +40,14 @@ std::vector<Index> elimination_order(std::span<const Vec3> positions,
   return nested_dissection(positions, graph, std::move(used));
 }
 
-/// The loops of the border, the largest one first.
+/// The loops of the border, the outline first.
 std::vector<std::span<const Index>> ordered_loops(const Patch& patch) {
   std::vector<std::span<const Index>> loops(patch.border_loops().begin(),
                                             patch.border_loops().end());
-  const std::size_t outer = outer_loop(sizes_of_loops(patch.positions(), patch.border_loops()));
-  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outer),
-              loops.begin() + static_cast<std::ptrdiff_t>(outer) + 1);
+  const std::size_t outline =
+      border_kinds(patch.positions(), patch.connectivity(), patch.unit_scale()).outline;
+  const auto begin = loops.begin(), at = begin + static_cast<std::ptrdiff_t>(outline);
+  std::rotate(begin, at, at + 1);
   return loops;
 }
 

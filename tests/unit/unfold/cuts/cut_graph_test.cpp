@@ -15,7 +15,6 @@
 #include "support/meshes.h"
 #include "support/solids.h"
 #include "unfold/cuts/reduced_paths.h"
-#include "unfold/cuts/tube_loops.h"
 
 namespace planish {
 namespace {
@@ -251,22 +250,6 @@ TEST(CutGraph, DividesWhatWouldOverlap) {
 TEST(CutGraph, RefusesABandOfOneSide) {
   EXPECT_EQ(inspect(meshes::moebius(12)).problems.front().code, ErrorCode::non_orientable);
   EXPECT_THROW(cut_graph(Patch(meshes::moebius(12))), Error);
-}
-
-TEST(TubeLoops, TellHolesFromEndsOfTubes) {
-  const Patch tube(meshes::tube(12, 3));
-  for (const auto& loop : tube.border_loops())
-    EXPECT_NEAR(turning_of(tube, loop), 0.0, 1e-9);
-  EXPECT_EQ(tube_loops(tube), (std::vector<std::size_t>{0, 1}));
-  const Patch flat(plate());
-  EXPECT_NEAR(turning_of(flat, flat.border_loops()[0]), 2.0 * pi, 1e-9);
-  EXPECT_NEAR(turning_of(flat, flat.border_loops()[1]), -2.0 * pi, 1e-9);
-  EXPECT_EQ(tube_loops(flat), std::vector<std::size_t>{0});
-  // Of a ball with one opening, that is the outline.
-  TriMesh ball = solids::sphere(1.0, 8);
-  std::erase_if(ball.triangles,
-                [](const Triangle& t) { return t[0] == 0 || t[1] == 0 || t[2] == 0; });
-  EXPECT_EQ(tube_loops(Patch(ball)), std::vector<std::size_t>{0});
 }
 
 TEST(ReducedPaths, LeaveOutWhatDivides) {

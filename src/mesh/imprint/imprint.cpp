@@ -26,7 +26,7 @@ struct Face {
   std::map<Index, Index> own = {};  ///< node -> its own number
 };
 
-/// A straight part of a line.
+/// A straight part of a line; of one that is a single node, that node.
 struct Segment {
   Index from, to;
   LineNodes::Way way;
@@ -56,8 +56,13 @@ class Imprinter {
   }
 
  private:
+  /// A node of a line, and the points of the line that it stands for.
+  struct Stop {
+    Index node;
+    std::vector<Vec3> drawn;
+  };
   std::vector<Segment> segments_of(const SurfaceLine& line);
-  std::vector<Index> chain_of(const SurfaceLine& line);
+  std::vector<Stop> chain_of(const SurfaceLine& line);
   LineNodes::Way way_of(Index from, Index to) const;
   std::vector<SurfacePoint> few_points(const SurfaceLine& line) const;
   void connect(const Segment& segment);
@@ -92,51 +97,79 @@ class Imprinter {
               {.path = {}, .first = number});
 }
 
-bool are_inside(const SurfacePoint& a, const SurfacePoint& b) {
-  const auto is_inside = [](const SurfacePoint& p) {
-    return std::all_of(p.shares.begin(), p.shares.end(), [](double share) { return share > 0.0; });
-  };
-  return is_inside(a) && is_inside(b) && a.corners == b.corners;
+bool is_inside(const SurfacePoint& p) {
+  return std::all_of(p.shares.begin(), p.shares.end(), [](double share) { return share > 0.0; });
+}
+
+/// Whether the place is on the triangle with these corners.
+bool is_on(const SurfacePoint& p, const Triangle& corners) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (p.shares[k] > 0.0 &&
+        std::find(corners.begin(), corners.end(), p.corners[k]) == corners.end())
+      return false;
+  }
+  return true;
+}
+
+/// Beside a straight piece: how far along it, 0 to 1, and how far away.
+struct Beside {
+  double share, apart;
+};
+
+Beside beside(Vec3 p, Vec3 from, Vec3 to) {
+  const Vec3 along = to - from, way = p - from;
+  const double length = dot(along, along);
+  const double share = length > 0.0 ? std::clamp(dot(way, along) / length, 0.0, 1.0) : 0.0;
+  return {share, norm(way - share * along)};
+}
+
+/// The point between two that is farthest from the straight way, or where the line turns back on
+/// it; nothing where neither is more than `most`.
+std::optional<std::size_t> bend_between(std::span<const Vec3> line, std::size_t first,
+                                        std::size_t last, double most) {
+  std::optional<std::size_t> bend;
+  double farthest = most, along = 0.0;
+  std::size_t foremost = first;
+  const double length = norm(line[last] - line[first]);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const Beside at = beside(line[i], line[first], line[last]);
+    if (at.apart > farthest) farthest = at.apart, bend = i;
+    if (at.share * length < along - most && !bend) bend = foremost;
+    if (at.share * length > along) along = at.share * length, foremost = i;
+  }
+  return bend;
 }
 
 /// Of points inside one triangle only those that a straight line would miss (Douglas and Peucker).
-std::vector<SurfacePoint> Imprinter::few_points(const SurfaceLine& line) const {
-  const auto& points = line;
+std::vector<SurfacePoint> Imprinter::few_points(const SurfaceLine& points) const {
   const double most = k_straight * bounding_box_diagonal(nodes_.scaled());
+  std::vector<Vec3> places;
+  places.reserve(points.size());
+  for (const SurfacePoint& point : points)
+    places.push_back(position_of(point, nodes_.scaled().positions));
   std::vector<unsigned char> kept(points.size(), 1);
-  const auto place = [&](std::size_t i) {
-    return position_of(points[i], nodes_.scaled().positions);
-  };
   const auto thin = [&](std::size_t first, std::size_t last) {
     std::vector<std::array<std::size_t, 2>> open = {{first, last}};
     while (!open.empty()) {
       const auto [a, b] = open.back();
       open.pop_back();
-      const Vec3 from = place(a), along = place(b) - from;
-      double farthest = 0.0;
-      std::size_t at = a;
-      for (std::size_t i = a + 1; i < b; ++i) {
-        const Vec3 to = place(i) - from;
-        const double length = dot(along, along);
-        const double share = length > 0.0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0.0;
-        const double apart = norm(to - share * along);
-        if (apart >= farthest) farthest = apart, at = i;
-      }
-      if (at == a || farthest <= most) {
-        for (std::size_t i = a + 1; i < b; ++i)
-          kept[i] = 0;
+      if (const auto bend = bend_between(places, a, b, most)) {
+        open.push_back({a, *bend});
+        open.push_back({*bend, b});
       } else {
-        open.push_back({a, at});
-        open.push_back({at, b});
+        std::fill(kept.begin() + static_cast<std::ptrdiff_t>(a) + 1,
+                  kept.begin() + static_cast<std::ptrdiff_t>(b), 0);
       }
     }
   };
-  for (std::size_t begin = 1; begin + 1 < points.size(); ++begin) {
-    std::size_t end = begin;
-    while (end + 1 < points.size() && are_inside(points[begin], points[end]))
+  for (std::size_t begin = 0; begin + 1 < points.size(); ++begin) {
+    const Triangle& corners = points[begin + 1].corners;
+    if (!is_inside(points[begin + 1]) || !is_on(points[begin], corners)) continue;
+    std::size_t end = begin + 1;
+    while (end + 1 < points.size() && is_inside(points[end]) && is_on(points[end + 1], corners))
       ++end;
-    if (end > begin) thin(begin - 1, end);
-    begin = std::max(begin, end);
+    thin(begin, end);
+    begin = end - 1;
   }
   std::vector<SurfacePoint> few;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -146,17 +179,18 @@ std::vector<SurfacePoint> Imprinter::few_points(const SurfaceLine& line) const {
 }
 
 /// The nodes of a line, each other than the one before.
-std::vector<Index> Imprinter::chain_of(const SurfaceLine& line) {
+std::vector<Imprinter::Stop> Imprinter::chain_of(const SurfaceLine& line) {
   for (const SurfacePoint& point : line) {
     if (std::any_of(point.corners.begin(), point.corners.end(),
                     [&](Index v) { return v >= nodes_.vertex_count(); }))
       refuse(lines_.size(), "it names a vertex that the mesh does not have");
   }
-  std::vector<Index> chain;
+  std::vector<Stop> chain;
   for (const SurfacePoint& point : few_points(line)) {
     const auto node = nodes_.add(point);
     if (!node) refuse(lines_.size(), "a point of it is on no triangle of the mesh");
-    if (chain.empty() || chain.back() != *node) chain.push_back(*node);
+    if (chain.empty() || chain.back().node != *node) chain.push_back({*node, {}});
+    chain.back().drawn.push_back(position_of(point, nodes_.scaled().positions));
   }
   return chain;
 }
@@ -168,22 +202,29 @@ LineNodes::Way Imprinter::way_of(Index from, Index to) const {
   return *way;
 }
 
-/// Where a point was put onto a vertex, the line takes the short way past points beside it.
+/// Where a point was put onto a vertex, the line takes the short way past points beside it that it
+/// was drawn no farther from than points are snapped.
 std::vector<Segment> Imprinter::segments_of(const SurfaceLine& line) {
-  std::vector<Index> chain = chain_of(line), straight;
+  const std::vector<Stop> chain = chain_of(line);
+  std::vector<Index> straight;
+  std::vector<Vec3> passed;  // since the last of them
   const double most = nodes_.farthest_snap();
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const bool is_between = !straight.empty() && i + 1 < chain.size();
-    if (is_between && most > 0.0 && nodes_.node(chain[i]).on == LineNodes::On::edge) {
-      const Vec3 from = nodes_.position(straight.back());
-      const Vec3 along = nodes_.position(chain[i + 1]) - from,
-                 to = nodes_.position(chain[i]) - from;
-      const double share = std::clamp(dot(to, along) / dot(along, along), 0.0, 1.0);
-      if (norm(to - share * along) <= most && nodes_.way(straight.back(), chain[i + 1])) continue;
+    if (is_between && most > 0.0 && nodes_.node(chain[i].node).on == LineNodes::On::edge) {
+      const Index from = straight.back(), to = chain[i + 1].node;
+      passed.insert(passed.end(), chain[i].drawn.begin(), chain[i].drawn.end());
+      const auto is_beside = [&](Vec3 p) {
+        return beside(p, nodes_.position(from), nodes_.position(to)).apart <= most;
+      };
+      if (std::all_of(passed.begin(), passed.end(), is_beside) && nodes_.way(from, to)) continue;
     }
-    if (straight.empty() || straight.back() != chain[i]) straight.push_back(chain[i]);
+    passed.clear();
+    if (straight.empty() || straight.back() != chain[i].node) straight.push_back(chain[i].node);
   }
   std::vector<Segment> segments;
+  if (straight.size() == 1)
+    segments.push_back({straight[0], straight[0], {LineNodes::On::vertex, straight[0]}});
   for (std::size_t i = 1; i < straight.size(); ++i) {
     segments.push_back({straight[i - 1], straight[i], way_of(straight[i - 1], straight[i])});
   }
@@ -313,10 +354,11 @@ void Imprinter::widen_angles() {
 std::vector<Index> Imprinter::path_of(const std::vector<Segment>& line) const {
   std::vector<Index> path;
   for (const Segment& segment : line) {
-    std::vector<Index> part;
+    std::vector<Index> part = {segment.from};
     if (segment.way.on == LineNodes::On::edge) {
       part = nodes_.along(segment.way.element, segment.from, segment.to);
-    } else {
+    } else if (segment.way.on == LineNodes::On::face) {
+      part.clear();
       const Face& at = faces_.at(segment.way.element);
       for (const Index node : at.inside.path(at.own.at(segment.from), at.own.at(segment.to)))
         part.push_back(at.nodes[node]);

@@ -150,7 +150,13 @@ class Joiner {
     SurfaceLine way = std::move(traced.lines.front());
     if (scale_ * length_of(way, patch_.positions()) > 2.0 * nearest.distance + k_same_place)
       return false;
-    way.front() = is_last ? result_.lines[l].back() : result_.lines[l].front();
+    // By rounding the traced way may begin beside a vertex on another triangle.
+    const SurfacePoint& from = is_last ? result_.lines[l].back() : result_.lines[l].front();
+    if (common_triangle(from, way[1])) {
+      way.front() = from;
+    } else {
+      way.insert(way.begin(), from);
+    }
     if (nearest.line) {
       const auto point = point_on(result_.lines[*nearest.line], nearest);
       if (!point || !common_triangle(way[way.size() - 2], *point)) return false;

@@ -123,8 +123,7 @@ std::optional<Index> LineNodes::add(const SurfacePoint& point) {
     const double share = std::clamp(dot(place - from, along) / dot(along, along), 0.0, 1.0);
     const double apart = norm(place - (from + share * along));
     if (!(apart <= std::min(snap_at(half_edges_.from(h)), snap_at(half_edges_.to(h))))) continue;
-    note(apart);
-    return add_on_edge(h, std::nearbyint(share * k_cells));
+    return add_on_edge(h, std::nearbyint(share * k_cells), apart);
   }
   return add_in_face(first / 3, {cells[1], cells[2]});
 }
@@ -149,24 +148,26 @@ Index LineNodes::new_in_face(Index triangle, Vec2 grid) {
   return in_faces_[triangle].back();
 }
 
-Index LineNodes::add_on_edge(Index half, double cells) {
+Index LineNodes::add_on_edge(Index half, double cells, double apart) {
   const Index edge = edge_of(half);
   const double at = edge == half ? cells : k_cells - cells;
   const Index from = half_edges_.from(edge), to = half_edges_.to(edge);
   if (at <= 0.0) return from;
   if (at >= k_cells) return to;
   const double length = norm(mesh_.positions[to] - mesh_.positions[from]);
-  const double reach = std::min(share_ * length, most_) / std::max(length, 1e-300) * k_cells;
+  const double reach = std::min(share_ * length, most_);
   auto& on = on_edges_[edge];
   const auto above = on.lower_bound(at);
   auto nearest = above;
   if (above != on.begin() &&
       (above == on.end() || at - std::prev(above)->first < above->first - at))
     nearest = std::prev(above);
-  if (nearest != on.end() && std::abs(nearest->first - at) <= reach) {
-    note(std::abs(nearest->first - at) / k_cells * length);
-    return nearest->second;
+  if (nearest != on.end()) {
+    const double along = std::abs(nearest->first - at) / k_cells * length;
+    const double moved = std::sqrt(apart * apart + along * along);
+    if (moved <= reach) return note(moved), nearest->second;
   }
+  note(apart);
   return on[at] = new_node({On::edge, edge, {at, 0.0}});
 }
 

@@ -51,7 +51,8 @@ class LineNodes {
   Index new_in_face(Index triangle, Vec2 grid);
   /// A node on an edge; one that is near enough, if there is one.
   /// @param cells from the start of a half-edge, which may be either of the edge
-  Index add_on_edge(Index half, double cells);
+  /// @param apart how far what it stands for is from the edge, scaled
+  Index add_on_edge(Index half, double cells, double apart = 0.0);
 
   /// The nodes on the edge of a half-edge, its ends not among them, in its direction.
   std::vector<Index> on_edge(Index half) const;

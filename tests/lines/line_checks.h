@@ -91,27 +91,11 @@ inline EdgeOfTwo edge_between(Index v, Index w) {
   return {std::min(v, w), std::max(v, w)};
 }
 
-/// The edges of all triangles, sorted: one that two share is there twice.
-inline std::vector<EdgeOfTwo> sorted_edges(const TriMesh& mesh) {
-  std::vector<EdgeOfTwo> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k)
-      edges.push_back(edge_between(t[k], t[(k + 1) % 3]));
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-inline double border_length(const TriMesh& mesh) {
-  const std::vector<EdgeOfTwo> edges = sorted_edges(mesh);
+inline double border_length(const Patch& patch) {
   double length = 0.0;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (e + 1 < edges.size() && edges[e] == edges[e + 1]) {
-      ++e;
-    } else {
-      length += norm(mesh.positions[edges[e][1]] - mesh.positions[edges[e][0]]);
-    }
+  for (const auto& loop : patch.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      length += norm(patch.positions()[loop[(k + 1) % loop.size()]] - patch.positions()[loop[k]]);
   }
   return length;
 }
@@ -177,8 +161,9 @@ inline void count_thin(const TriMesh& mesh, const ImprintedMesh& imprinted, Figu
 
 /// Whether the triangles are those of the mesh, divided: the same surface, no triangle turned over.
 /// @return what is wrong, else nothing
-inline std::string wrong_surface(const TriMesh& mesh, const ImprintedMesh& imprinted) {
-  const TriMesh& now = imprinted.mesh;
+inline std::string wrong_surface(const Patch& patch, const ImprintedMesh& imprinted,
+                                 const Patch& result) {
+  const TriMesh &mesh = patch.mesh(), &now = imprinted.mesh;
   const std::size_t n = mesh.positions.size();
   if (now.positions.size() < n ||
       std::memcmp(now.positions.data(), mesh.positions.data(), n * sizeof(Vec3)) != 0)
@@ -186,7 +171,7 @@ inline std::string wrong_surface(const TriMesh& mesh, const ImprintedMesh& impri
   if (imprinted.new_vertices.size() != now.positions.size() - n ||
       imprinted.triangle_of.size() != now.triangles.size())
     return "counts do not agree";
-  const Inspection before = inspect(mesh), after = inspect(now);
+  const Inspection &before = patch.inspection(), &after = result.inspection();
   if (blocking_problem(after, Purpose::measure)) return "the mesh is no manifold any more";
   if (after.topology.border_loops != before.topology.border_loops ||
       after.topology.components != before.topology.components ||
@@ -212,10 +197,10 @@ inline std::string wrong_surface(const TriMesh& mesh, const ImprintedMesh& impri
 /// Whether each path is where its line is, within 1e-5 of the diagonal beside what was snapped, as
 /// long to 0.1 %, and along edges.
 inline std::string wrong_paths(const TriMesh& mesh, std::span<const SurfaceLine> lines,
-                               const ImprintedMesh& imprinted, Figures& figures) {
+                               const ImprintedMesh& imprinted, const Patch& result,
+                               Figures& figures) {
   if (imprinted.paths.size() != lines.size()) return "there are more or fewer paths than lines";
   const double scale = bounding_box_diagonal(mesh);
-  const std::vector<EdgeOfTwo> edges = sorted_edges(imprinted.mesh);
   figures.snap = std::max(figures.snap, imprinted.farthest_snap / scale);
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const auto& path = imprinted.paths[l];
@@ -230,7 +215,8 @@ inline std::string wrong_paths(const TriMesh& mesh, std::span<const SurfaceLine>
     for (const Index v : path)
       made.push_back(imprinted.mesh.positions[v]);
     for (std::size_t i = 1; i < path.size(); ++i) {
-      if (!std::binary_search(edges.begin(), edges.end(), edge_between(path[i - 1], path[i])))
+      const auto ring = result.ring(path[i - 1]);
+      if (std::find(ring.begin(), ring.end(), path[i]) == ring.end())
         return name + " leaves the edges";
     }
     double apart = 0.0;
@@ -253,8 +239,7 @@ inline std::string wrong_paths(const TriMesh& mesh, std::span<const SurfaceLine>
 
 /// Whether the mesh can be cut open along its paths, and the sides of each are as long as it. Paths
 /// that cut nothing open are refused, and left out.
-inline std::string wrong_cut(const ImprintedMesh& imprinted) {
-  const Patch patch(imprinted.mesh);
+inline std::string wrong_cut(const ImprintedMesh& imprinted, const Patch& patch) {
   std::vector<CutPath> paths;
   for (std::size_t l = 0; l < imprinted.paths.size(); ++l) {
     if (imprinted.paths[l].size() > 1)
@@ -263,7 +248,8 @@ inline std::string wrong_cut(const ImprintedMesh& imprinted) {
   while (!paths.empty()) {
     try {
       const CutMesh cut = cut_open(patch, paths);
-      if (blocking_problem(inspect(cut.mesh), Purpose::measure))
+      const Patch opened(cut.mesh);
+      if (blocking_problem(opened.inspection(), Purpose::measure))
         return "the mesh that was cut open is no manifold";
       if (cut.mesh.triangles.size() != imprinted.mesh.triangles.size())
         return "cutting changes the number of triangles";
@@ -271,8 +257,8 @@ inline std::string wrong_cut(const ImprintedMesh& imprinted) {
         if (!(cut.mesh.positions[v] == imprinted.mesh.positions[cut.source[v]]))
           return "cutting moves a vertex";
       }
-      const double expected = border_length(imprinted.mesh) + 2.0 * cut.length;
-      if (std::abs(border_length(cut.mesh) - expected) > 1e-9 * expected)
+      const double expected = border_length(patch) + 2.0 * cut.length;
+      if (std::abs(border_length(opened) - expected) > 1e-9 * expected)
         return "the sides of a cut are not as long as it";
       return {};
     } catch (const Error& error) {
@@ -289,10 +275,11 @@ inline std::string wrong_cut(const ImprintedMesh& imprinted) {
 /// All of this.
 inline std::string wrong_imprint(const Patch& patch, std::span<const SurfaceLine> lines,
                                  const ImprintedMesh& imprinted, Figures& figures) {
-  std::string wrong = wrong_surface(patch.mesh(), imprinted);
+  const Patch result(imprinted.mesh);
+  std::string wrong = wrong_surface(patch, imprinted, result);
   count_thin(patch.mesh(), imprinted, figures);
-  if (wrong.empty()) wrong = wrong_paths(patch.mesh(), lines, imprinted, figures);
-  if (wrong.empty()) wrong = wrong_cut(imprinted);
+  if (wrong.empty()) wrong = wrong_paths(patch.mesh(), lines, imprinted, result, figures);
+  if (wrong.empty()) wrong = wrong_cut(imprinted, result);
   return wrong;
 }
 

@@ -63,11 +63,14 @@ class Drawer {
   /// At least `count` lines but where all of them lie off the surface.
   std::vector<SurfaceLine> lines(Kind kind, std::size_t count) {
     std::vector<SurfaceLine> all;
+    drawn_ = {};
     for (std::size_t k = 0; k < count; ++k) {
       const Kind now = kind == Kind::mixed ? static_cast<Kind>(k % (k_kinds.size() - 1)) : kind;
       for (SurfaceLine& line : some(now))
         all.push_back(std::move(line));
     }
+    for (SurfaceLine& line : trace_lines(patch_, drawn_).lines)
+      all.push_back(std::move(line));
     return all;
   }
 
@@ -85,26 +88,28 @@ class Drawer {
   /// From 1 down to 10^-decades, evenly in its logarithm.
   double small(double decades) { return std::pow(10.0, -decades * share()); }
 
-  std::vector<SurfaceLine> traced(std::vector<Vec3> points) {
-    return trace_lines(patch_, {{DrawnLine{std::move(points)}}, {}}).lines;
+  /// Remembers what is drawn, to be found on the surface with the rest.
+  std::vector<SurfaceLine> draw(std::vector<Vec3> points) {
+    drawn_.lines.push_back({std::move(points)});
+    return {};
   }
 
   std::vector<SurfaceLine> some(Kind kind) {
     switch (kind) {
       case Kind::polylines:
-        return traced(points_of(2 + pick(6)));
+        return draw(points_of(2 + pick(6)));
       case Kind::strokes:
-        return traced(stroke());
+        return draw(stroke());
       case Kind::geodesics:
         return {geodesic(patch_, place(), place()).points};
       case Kind::planes:
         return section();
       case Kind::loops:
-        return traced(loop());
+        return draw(loop());
       case Kind::leaving:
-        return traced(leaving());
+        return draw(leaving());
       case Kind::crossing:
-        return traced(crossing());
+        return draw(crossing());
       case Kind::borders:
         return border();
       case Kind::vertices:
@@ -219,7 +224,7 @@ class Drawer {
     const double size = 2.0 * edge_ * small(9.0);
     for (const Index v : path)
       points.push_back(at(v) + away(size));
-    return traced(std::move(points));
+    return draw(std::move(points));
   }
 
   std::vector<SurfaceLine> near_vertices() {
@@ -232,7 +237,7 @@ class Drawer {
     std::vector<Vec3> points;
     for (const Index v : path)
       points.push_back(at(v) + away(size));
-    return traced(std::move(points));
+    return draw(std::move(points));
   }
 
   std::vector<SurfaceLine> twins() {
@@ -241,10 +246,8 @@ class Drawer {
     std::vector<Vec3> moved;
     for (const Vec3 p : points)
       moved.push_back(p + away(size));
-    std::vector<SurfaceLine> lines = traced(points);
-    for (SurfaceLine& line : traced(std::move(moved)))
-      lines.push_back(std::move(line));
-    return lines;
+    draw(points);
+    return draw(std::move(moved));
   }
 
   std::vector<SurfaceLine> tiny() {
@@ -259,13 +262,14 @@ class Drawer {
       default: {
         const Vec3 p = position_of(one, patch_.positions());
         const double size = edge_ * std::pow(10.0, -14.0 + 14.0 * share());
-        return traced({p, p + away(size), p + away(size)});
+        return draw({p, p + away(size), p + away(size)});
       }
     }
   }
 
   const Patch& patch_;
   meshes::Random random_;
+  DrawnLines drawn_;
   double edge_ = 0.0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,5 +49,20 @@ GeodesicPath shortened_loop(const Patch& patch, std::span<const SurfacePoint> lo
 ///   too_large for a path of more than 20 million places; else as geodesic()
 GeodesicPath straightest(const Patch& patch, const SurfacePoint& from, Vec3 direction,
                          double length, const Context& context = {});
+
+/// Rings around limbs, necks and handles: closed paths that are the shortest among those near them,
+/// at places where the surface is wider by 5 % on either side, within half of the ring's length. By
+/// length; of those within a quarter of their length of each other the shortest. Looked for from
+/// 150 places spread over the mesh; none shorter than 6 mean edges.
+/// @throws Error what require() with Purpose::measure throws; Cancelled
+std::vector<GeodesicPath> narrow_rings(const Patch& patch, const Context& context = {});
+
+/// The ring at a place: the shortest loop there that does not merely go around a bump, drawn to the
+/// narrow place next to it. Where that is farther than a quarter of its length, it stays where it
+/// is and has a corner near the place.
+/// @return nothing where no loop goes around anything
+/// @throws Error option_out_of_range for a place that is on no triangle; else as narrow_rings()
+std::optional<GeodesicPath> ring_at(const Patch& patch, const SurfacePoint& place,
+                                    const Context& context = {});
 
 }  // namespace planish

@@ -130,7 +130,7 @@ void refuse_idle_cuts(const Patch& patch, std::span<const CutPath> paths,
   const std::vector<unsigned char> open = in_open_part(patch.connectivity());
   Parts together(patch.vertex_count());  // what the paths join
   std::vector<unsigned char> touches(patch.vertex_count(), 0);
-  std::vector<std::size_t> edges(patch.vertex_count(), 0);
+  std::vector<std::size_t> edges(patch.vertex_count(), 0), vertices(patch.vertex_count(), 0);
   const std::vector<EdgeEnds> all = edges_of(full);
   for (const EdgeEnds& edge : all)
     together.join(edge[0], edge[1]);
@@ -139,14 +139,23 @@ void refuse_idle_cuts(const Patch& patch, std::span<const CutPath> paths,
     ++edges[part];
     if (patch.is_border(edge[0]) || patch.is_border(edge[1])) touches[part] = 1;
   }
+  std::vector<Index> ends;
+  ends.reserve(2 * all.size());
+  for (const EdgeEnds& edge : all)
+    ends.insert(ends.end(), edge.begin(), edge.end());
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (const Index v : ends)
+    ++vertices[together.first_of(v)];
   for (std::size_t k = 0; k < full.size(); ++k) {
     const Index first = full[k].front(), part = together.first_of(first);
-    if (touches[part] != 0) continue;
+    const bool is_closed = edges[part] >= vertices[part];
+    if (touches[part] != 0 || is_closed) continue;
     if (open[first] != 0) {
       refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
                  "from " + vertex_text(patch, first) + " to " + vertex_text(patch, full[k].back()) +
                      " never meets the border and would only open a hole: let it begin or end at "
-                     "the border",
+                     "the border, or end where it begins",
                  first);
     }
     if (edges[part] < 2) {

@@ -265,8 +265,7 @@ TEST(Cut, RefusesWhatOpensNothing) {
   refused({3, 49}, "cut 2 names vertex 49: the mesh has 49", ErrorCode::index_out_of_range);
   refused({8, 1, 2}, "cut 2 runs along the border from vertex 1 at (1, 0, 0) to vertex 2");
   refused({15, 16, 17}, "cut 2 from vertex 15 at (1, 2, 0) to vertex 17 at (3, 2, 0) never meets");
-  // A loop inside would make a hole too.
-  refused({24, 25, 33, 24}, "would only open a hole");
+  refused({24, 25, 33}, "would only open a hole");
   TriMesh loose = grid;
   loose.positions.push_back({1, 2, 3});
   expect_misplaced(loose, {{{3, 49}}}, ErrorCode::misplaced_cut, "which no triangle uses");
@@ -274,6 +273,14 @@ TEST(Cut, RefusesWhatOpensNothing) {
   expect_misplaced(two, {{{3, 49}}}, ErrorCode::misplaced_cut, "finds no way inside the mesh");
   expect_misplaced(two, {{{3, 10}}, {{49, 50}}}, ErrorCode::misplaced_cut, "is the single edge");
   EXPECT_NO_THROW(cut(two, {{3, 10}, {49, 50, 51}}));
+}
+
+TEST(Cut, AlongALoopInsideTakesAPieceOut) {
+  const TriMesh grid = meshes::flat_grid(6, 6);
+  const CutMesh opened = cut(grid, {{24, 25, 33, 24}});
+  const Topology topology = inspect(opened.mesh).topology;
+  EXPECT_EQ(topology.components, 2U);
+  EXPECT_EQ(topology.border_loops, 3U);
 }
 
 TEST(Cut, OfRandomPathsIsSound) {

@@ -94,6 +94,7 @@ FOR_THE_PROGRAM = {
     "io/read_drawing.h",
     "io/svg/svg_drawing.h",
     "mesh/match/twins.h",
+    "mesh/mean_edge.h",
     "mesh/split.h",
     "platform/memory.h",
     "platform/processors.h",

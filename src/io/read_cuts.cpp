@@ -97,13 +97,9 @@ SurfaceLine line_through(const Patch& patch, const CutPath& path, std::size_t nu
   return line;
 }
 
-CutLinesOnPatch drawn_lines(std::string_view bytes, const Patch& patch, const std::string& name,
-                            bool smooth) {
-  const DrawnLines drawing = parse_obj_lines(bytes, name);
-  if (drawing.lines.empty()) {
-    throw Error(ErrorCode::malformed_file, "the file has no line (l), and points (p) cut nothing",
-                {.path = name, .line = 1});
-  }
+}  // namespace
+
+CutLinesOnPatch cut_lines_in(const DrawnLines& drawing, const Patch& patch, bool smooth) {
   const ClosestPointTree nearest(patch.mesh());
   constexpr double k_smoothing = 0.5;  // of a mean edge
   const double edge = mean_edge_length(patch.mesh());
@@ -127,13 +123,12 @@ CutLinesOnPatch drawn_lines(std::string_view bytes, const Patch& patch, const st
     }
   }
   if (cuts.lines.empty()) {
+    const SourceLocation place = drawing.lines.empty() ? SourceLocation{} : drawing.lines[0].place;
     throw Error(ErrorCode::misplaced_cut, "no line of the drawing lies on the mesh",
-                {.path = name});
+                {.path = place.path});
   }
   return cuts;
 }
-
-}  // namespace
 
 CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
   const FileBytes file(path);
@@ -180,7 +175,12 @@ CutLinesOnPatch parse_cut_lines(std::string_view bytes, const Patch& patch, cons
                                 bool smooth) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   if (lower_extension(path_of(name)) != ".obj") return cut_lines_in(parse_rows(bytes, name), patch);
-  return drawn_lines(bytes, patch, name, smooth);
+  const DrawnLines drawing = parse_obj_lines(bytes, name);
+  if (drawing.lines.empty()) {
+    throw Error(ErrorCode::malformed_file, "the file has no line (l), and points (p) cut nothing",
+                {.path = name, .line = 1});
+  }
+  return cut_lines_in(drawing, patch, smooth);
 }
 
 std::string format_cuts(std::span<const std::vector<Index>> paths) {

@@ -10,6 +10,7 @@
 #include <planish/sheet/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "cut/drawn_on_pattern.h"
 #include "flags/units.h"
 #include "io/read_drawing.h"
 #include "model/model_flags.h"
@@ -32,16 +33,6 @@ struct CarryPair {
   std::string from_path, to_path;
   Patch from, to;
 };
-
-/// What is to be carried, in model units over the first mesh.
-struct ReadDrawing {
-  DrawnLines drawn;
-  std::map<std::string, std::size_t> left_out;
-};
-
-bool is_svg(const std::string& path) {
-  return lower_extension(path) == ".svg";
-}
 
 /// @throws Error unsupported_format
 void check_extension(const std::string& path, const std::string& what) {
@@ -70,56 +61,6 @@ CarryPair pair_from(const Arguments& arguments, Session& session) {
   check_flat(arguments.operands.front(), from, pair.from, "--from");
   check_flat(arguments.text("--output"), to, pair.to, "--to");
   return pair;
-}
-
-std::vector<std::vector<Vec2>> lines_on(const SvgDrawing& drawing, std::string_view layer) {
-  std::vector<std::vector<Vec2>> lines;
-  for (const SvgLine& line : drawing.lines) {
-    if (line.layer == layer) lines.push_back(line.points);
-  }
-  return lines;
-}
-
-/// By the outline where an allowance surrounds it, else by what is cut.
-Vec2 origin_in(const SvgDrawing& drawing, const Patch& flat, Unit unit, const std::string& path) {
-  const std::vector<std::vector<Vec2>> seam = lines_on(drawing, "seam");
-  std::vector<std::vector<Vec2>> cut = lines_on(drawing, "cut");
-  for (std::vector<Vec2>& hole : lines_on(drawing, "hole"))
-    cut.push_back(std::move(hole));
-  if (seam.empty()) return origin_on_sheet(cut, {}, flat, unit, path);
-  const bool is_whole = std::all_of(seam.begin(), seam.end(), [](const std::vector<Vec2>& line) {
-    return line.front() == line.back();
-  });
-  return origin_on_sheet(seam, is_whole ? std::vector<std::vector<Vec2>>{} : cut, flat, unit, path);
-}
-
-/// What was added to a pattern's sheet, where it lies over the flat mesh.
-ReadDrawing drawing_on_sheet(const std::string& path, const Patch& flat, Unit unit) {
-  SvgDrawing drawing = read_svg(path_of(path), k_sheet_layers);
-  const Vec2 origin = origin_in(drawing, flat, unit, path);
-  const double z = flat.positions()[flat.triangles().front().front()].z;
-  const auto place = [&](Vec2 p) {
-    const Vec2 q = 1.0 / millimetres_per(unit) * (p - origin);
-    return Vec3{q.x, q.y, z};
-  };
-  ReadDrawing read{{}, std::move(drawing.left_out)};
-  for (const SvgLine& line : drawing.lines) {
-    if (!line.layer.empty()) continue;
-    if (line.points.size() == 1) {
-      read.drawn.points.push_back(place(line.points.front()));
-      continue;
-    }
-    DrawnLine& some = read.drawn.lines.emplace_back(DrawnLine{{}, {path, line.line}});
-    for (const Vec2 p : line.points)
-      some.points.push_back(place(p));
-  }
-  if (read.drawn.lines.empty() && read.drawn.points.empty()) {
-    throw Error(ErrorCode::malformed_file,
-                "the file shows no lines besides those of the pattern's own layers; draw on a "
-                "layer of your own",
-                {.path = path});
-  }
-  return read;
 }
 
 ReadDrawing read_drawing(const std::string& path, const CarryPair& pair, Unit unit) {

@@ -1,5 +1,6 @@
 #include "cut/cut_flag.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -9,10 +10,13 @@
 #include <planish/unfold/suggest_cuts.h>
 
 #include "cut/requested_lines.h"
+#include "cut/small_pieces.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "mesh/mean_edge.h"
 #include "platform/path.h"
 #include "shell/failures.h"
+#include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
 #include "text/lengths.h"
@@ -21,8 +25,9 @@ namespace planish::cli {
 
 std::vector<Flag> cut_flags() {
   Flag cut = {"--cut", "LINES",
-              "cut the surface along lines first: an .obj or a list of vertices, \"plane x=0\", "
-              "\"creases 30deg\", or open: what makes a disk; may be repeated"};
+              "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
+              "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", \"ring 0,0,1\", rings, \"creases "
+              "30deg\", uv, groups, or open: what makes a disk; may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
@@ -37,7 +42,10 @@ std::vector<Flag> cut_flags() {
                 "places that the cuts of --cut open go round where they can: vertices one a line, "
                 "or an .obj with lines or points over the mesh"};
   avoid.accepts.type = ValueType::file;
-  return {cut, along, smooth, avoid};
+  const Flag keep = {"--keep-small", "",
+                     "keep pieces that cuts make with less than 1 % of the area, or narrower than "
+                     "two edges; else each is joined to a neighbour"};
+  return {cut, along, smooth, avoid, keep};
 }
 
 namespace {
@@ -53,43 +61,98 @@ void check_count(const std::vector<SurfaceLine>& lines) {
                                         " lines; at most 10,000 can be cut at once");
 }
 
-/// Joins the lines, makes them edges and opens these.
-CutMesh cut_through_triangles(const TriMesh& mesh, const Arguments& arguments, Session& session,
-                              const ShownLengths& lengths) {
-  const Patch patch(as_in_file(mesh, arguments));
-  RequestedLines asked = requested_lines(patch, arguments);
-  check_count(asked.lines);
-  const double scale = scale_from(arguments);
-  for (const std::string& note : asked.notes)
-    session.note(note);
-  const JoinedLines joined =
-      join_lines(patch, std::move(asked.lines), join_tolerance(patch.mesh()));
-  for (const JoinedEnd& end : joined.joined) {
-    session.note((end.is_last ? "the end of " : "the beginning of ") + asked.names[end.line] +
-                 " is " + lengths.text(scale * end.distance) + " from " +
-                 (end.to ? asked.names[*end.to] : "the border") + "; joined");
+/// Lines of which none runs beside another, with ends that meet.
+class Cutter {
+ public:
+  Cutter(const std::string& path, const Arguments& arguments, Session& session)
+      : path_(path),
+        arguments_(arguments),
+        session_(session),
+        lengths_(unit_from(arguments)),
+        scale_(scale_from(arguments)) {}
+
+  CutInput cut(const TriMesh& mesh) {
+    const Patch patch(as_in_file(mesh, arguments_));
+    asked_ = requested_lines(patch, path_, arguments_);
+    check_count(asked_.lines);
+    for (const std::string& note : asked_.notes)
+      session_.note(note);
+    const std::vector<SurfaceLine> lines = tidied(patch);
+    const ImprintedMesh imprinted = imprint(Patch(mesh), lines);
+    const Patch whole(imprinted.mesh);
+    std::vector<LinePath> paths;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      paths.push_back({imprinted.paths[k], of_[k]});
+    SmallLimits limits;
+    if (!arguments_.has("--keep-small")) limits = {0.01, 2.0 * mean_edge_length(mesh)};
+    const KeptPaths kept = without_small_pieces(whole, paths, limits);
+    for (const SmallPiece& piece : kept.small)
+      tell(piece);
+    std::vector<CutPath> cuts;
+    for (const LinePath& line : kept.paths)
+      cuts.push_back({line.vertices, asked_.places[line.line]});
+    CutMesh opened = cut_open(whole, cuts);
+    return {std::move(opened.mesh),
+            CutOutcome{opened.edges, opened.length, imprinted.farthest_snap, kept.small.size()}};
   }
-  const ImprintedMesh imprinted = imprint(Patch(mesh), joined.lines);
-  std::vector<CutPath> paths;
-  for (std::size_t k = 0; k < imprinted.paths.size(); ++k) {
-    if (imprinted.paths[k].size() > 1) paths.push_back({imprinted.paths[k], asked.places[k]});
+
+ private:
+  std::string text(double length) const { return lengths_.text(scale_ * length); }
+  std::string name(const std::optional<std::size_t>& line) const {
+    return line ? asked_.names[*line] : "the border";
   }
-  return cut_open(Patch(imprinted.mesh), paths);
-}
+
+  std::vector<SurfaceLine> tidied(const Patch& patch) {
+    constexpr double k_double = 1e-3;  // of the diagonal
+    SingleLines single = single_lines(patch, std::move(asked_.lines),
+                                      k_double * bounding_box_diagonal(patch.mesh()));
+    for (const DoubleStretch& stretch : single.doubled) {
+      session_.note(asked_.names[stretch.line] + " runs beside " + name(stretch.beside) + " for " +
+                    text(stretch.length) +
+                    (stretch.beside ? "; they are made one" : "; nothing is cut there"));
+    }
+    of_ = std::move(single.of);
+    JoinedLines joined = join_lines(patch, std::move(single.lines), join_tolerance(patch.mesh()));
+    for (const JoinedEnd& end : joined.joined) {
+      const auto to = end.to ? std::optional(of_[*end.to]) : std::nullopt;
+      session_.note((end.is_last ? "the end of " : "the beginning of ") + name(of_[end.line]) +
+                    " is " + text(end.distance) + " from " + name(to) + "; joined");
+    }
+    return std::move(joined.lines);
+  }
+
+  void tell(const SmallPiece& piece) const {
+    std::string around;
+    for (const std::size_t line : piece.lines)
+      around += (around.empty() ? "" : ", ") + asked_.names[line];
+    const std::string stem = stem_of(path_) + "-";
+    session_.warn("piece " + stem + std::to_string(piece.piece + 1) + " between " + around +
+                  " has " + percent(piece.area) + " of the area; it is joined to " + stem +
+                  std::to_string(piece.joined_to + 1) + ", and --keep-small keeps it");
+  }
+
+  const std::string& path_;
+  const Arguments& arguments_;
+  Session& session_;
+  ShownLengths lengths_;
+  double scale_;
+  RequestedLines asked_;
+  std::vector<std::size_t> of_;  // line -> line that was asked for
+};
 
 /// Cuts along edges between vertices of the mesh.
-CutMesh cut_through_edges(const TriMesh& mesh, const Arguments& arguments, Session& session,
-                          const ShownLengths& lengths) {
+CutInput cut_along_edges(const TriMesh& mesh, const Arguments& arguments, Session& session) {
   const std::string file = arguments.text("--cut");
   const CutLines along = arguments.rows.contains("--cut")
                              ? cuts_in(arguments.rows_of("--cut"), mesh)
                              : read_cuts(path_of(file), as_in_file(mesh, arguments));
   if (along.farthest > 0.0) {
     session.note(file + ": what is drawn is at most " +
-                 lengths.text(scale_from(arguments) * along.farthest) +
+                 ShownLengths(unit_from(arguments)).text(scale_from(arguments) * along.farthest) +
                  " from the vertices that stand for it, and between them the cut follows edges");
   }
-  return cut_open(Patch(mesh), along.paths);
+  CutMesh opened = cut_open(Patch(mesh), along.paths);
+  return {std::move(opened.mesh), CutOutcome{opened.edges, opened.length}};
 }
 
 /// What lengths near each vertex count for: more at those that --avoid names.
@@ -108,7 +171,7 @@ std::vector<double> weights_from(const Arguments& arguments, const Patch& patch)
 
 /// Opens what is no disk.
 CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
-                const OpeningLimits& limits, const ShownLengths& lengths) {
+                const OpeningLimits& limits) {
   const Patch patch(std::move(mesh));
   const CutGraphOptions options = {
       .keep_holes = true,
@@ -121,11 +184,19 @@ CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
   CutGraph graph = cut_graph(patch, options, session.silent_context());
   session.note(graph.lines == 0 ? "--cut open: the surface lies flat without a cut"
                                 : "--cut open: cut along " + counted(graph.lines, "line") + ", " +
-                                      lengths.text(graph.length));
+                                      ShownLengths(unit_from(arguments)).text(graph.length));
   return {std::move(graph.mesh), CutOutcome{graph.edges, graph.length}};
 }
 
 }  // namespace
+
+CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
+  edges += more.edges;
+  length += more.length;
+  farthest_snap = std::max(farthest_snap, more.farthest_snap);
+  small_pieces += more.small_pieces;
+  return *this;
+}
 
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits) {
@@ -134,27 +205,28 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
     throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");
   if (!arguments.has("--cut")) return {std::move(mesh)};
   return about(path, [&]() -> CutInput {
-    const ShownLengths lengths(unit_from(arguments));
     CutInput result = {std::move(mesh), CutOutcome{}};
     if (asks_for_lines(arguments)) {
-      CutMesh cut = is_through_triangles(arguments)
-                        ? cut_through_triangles(result.mesh, arguments, session, lengths)
-                        : cut_through_edges(result.mesh, arguments, session, lengths);
-      session.note(arguments.text("--cut") + ": cut open along " + counted(cut.edges, "edge") +
-                   ", " + lengths.text(cut.length));
-      result = {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
+      result = is_through_triangles(arguments) ? Cutter(path, arguments, session).cut(result.mesh)
+                                               : cut_along_edges(result.mesh, arguments, session);
+      session.note(arguments.text("--cut") + ": cut open along " +
+                   counted(result.cut->edges, "edge") + ", " +
+                   ShownLengths(unit_from(arguments)).text(result.cut->length));
     }
     if (!opens) return result;
-    CutInput open = opened(std::move(result.mesh), arguments, session, limits, lengths);
-    open.cut->edges += result.cut->edges;
-    open.cut->length += result.cut->length;
+    CutInput open = opened(std::move(result.mesh), arguments, session, limits);
+    *open.cut += *result.cut;
     return open;
   });
 }
 
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {
   if (!cut) return {};
-  return {{"cut", {{"edges", cut->edges}, {"length", cut->length}}}};
+  return {{"cut",
+           {{"edges", cut->edges},
+            {"length", cut->length},
+            {"farthest_snap", cut->farthest_snap},
+            {"small_pieces_joined", cut->small_pieces}}}};
 }
 
 }  // namespace planish::cli

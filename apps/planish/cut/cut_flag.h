@@ -18,7 +18,11 @@ std::vector<Flag> cut_flags();
 /// What --cut did to a mesh.
 struct CutOutcome {
   std::size_t edges = 0;
-  double length = 0.0;  ///< model units
+  double length = 0.0;           ///< model units
+  double farthest_snap = 0.0;    ///< that a point of a line was put onto a vertex, model units
+  std::size_t small_pieces = 0;  ///< that were joined to a neighbour
+
+  CutOutcome& operator+=(const CutOutcome& more);
 };
 
 /// The mesh as the verb is to work on it: cut open where --cut says so, which is told.
@@ -37,7 +41,7 @@ struct OpeningLimits {
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits = {});
 
-/// What --cut did as "cut": {"edges", "length"}, for a report; nothing without the flag.
+/// What --cut did as "cut": {"edges", "length", ...}, for a report; nothing without the flag.
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut);
 
 }  // namespace planish::cli

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <string_view>
+#include <set>
 #include <utility>
 
 #include <planish/io/read_features.h>
+#include <planish/mesh/carry.h>
+#include <planish/mesh/geodesic.h>
 
+#include "cut/drawn_on_pattern.h"
+#include "cut/placed_lines.h"
 #include "flags/quantities.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
-#include "shell/failures.h"
+#include "shell/text.h"
 #include "text/lengths.h"
 
 namespace planish::cli {
@@ -42,31 +46,30 @@ bool is_file(const std::string& text) {
   return std::filesystem::exists(path_of(text), ignored);
 }
 
-/// The values of the flag: one where it is a file with commas in its name.
+bool is_numbers(const std::string& text) {
+  return text.find_first_of("0123456789") != std::string::npos &&
+         text.find_first_not_of("0123456789 ,\t") == std::string::npos;
+}
+
+/// The values in one that was given: with commas between them, but for those between numbers. A
+/// file may have commas in its name.
 std::vector<std::string> values_of(const std::string& text) {
-  if (is_file(text)) return {text};
+  if (is_file(text) || is_numbers(text)) return {text};
   std::vector<std::string> values;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end > begin) values.push_back(text.substr(begin, end - begin));
+    const std::string part = text.substr(begin, end - begin);
+    const std::vector<std::string> words = words_of(part);
+    const bool goes_on = !values.empty() && !words.empty() && field_number(words.front());
+    if (goes_on) {
+      values.back() += "," + part;
+    } else if (!words.empty()) {
+      values.push_back(part);
+    }
     begin = end + 1;
   }
   return values;
-}
-
-/// "x=0", "y=12mm"
-Plane plane_of(const std::string& value, const std::vector<std::string>& words,
-               const Arguments& arguments) {
-  const std::string text = words.size() == 2 ? words[1] : "";
-  const auto axis = std::string_view("xyz").find(text.empty() ? '?' : text[0]);
-  if (axis == std::string_view::npos || text.size() < 3 || text[1] != '=') {
-    throw UsageError("--cut " + value + ": a plane is \"plane x=0\", \"plane y=12mm\" or with z");
-  }
-  const double offset =
-      quantity_value("--cut plane", text.substr(2), Quantity::length, {}, arguments);
-  constexpr std::array axes = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
-  return {axes[axis], offset / scale_from(arguments)};
 }
 
 void add(RequestedLines& all, std::vector<SurfaceLine> lines, const std::string& name) {
@@ -86,26 +89,73 @@ void add_lines(RequestedLines& all, CutLinesOnPatch read, const std::string& nam
   }
 }
 
-void add_section(RequestedLines& all, const Patch& patch, const std::string& value,
-                 const std::vector<std::string>& words, const Arguments& arguments) {
-  auto lines = plane_section(patch, plane_of(value, words, arguments),
+void add_section(RequestedLines& all, const Patch& patch, const LineWords& asked,
+                 const Arguments& arguments) {
+  auto lines = plane_section(patch, plane_of(asked, arguments),
                              k_on_plane * bounding_box_diagonal(patch.mesh()));
-  if (lines.empty())
-    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the plane does not meet the mesh");
-  add(all, std::move(lines), value);
+  if (lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut,
+                "--cut " + asked.value + ": the plane does not meet the mesh");
+  }
+  add(all, std::move(lines), asked.value);
 }
 
-void add_creases(RequestedLines& all, const Patch& patch, const std::string& value,
-                 const std::vector<std::string>& words, const Arguments& arguments) {
-  const std::string angle = words.size() > 1 ? words[1] : "30deg";
+void add_creases(RequestedLines& all, const Patch& patch, const LineWords& asked,
+                 const Arguments& arguments) {
+  const std::string angle = asked.words.size() > 1 ? asked.words[1] : "30deg";
   const double least = quantity_value("--cut creases", angle, Quantity::angle,
                                       {.min = 1.0, .max = 180.0}, arguments);
   auto lines = crease_lines(patch, least);
   if (lines.empty()) {
-    throw Error(ErrorCode::misplaced_cut, "--cut " + value + ": the mesh has no creases of " +
+    throw Error(ErrorCode::misplaced_cut, "--cut " + asked.value + ": the mesh has no creases of " +
                                               angle + "; give a smaller angle");
   }
-  add(all, std::move(lines), value);
+  add(all, std::move(lines), asked.value);
+}
+
+void add_rings(RequestedLines& all, const Patch& patch) {
+  std::vector<SurfaceLine> lines;
+  for (GeodesicPath& ring : narrow_rings(patch))
+    lines.push_back(std::move(ring.points));
+  if (lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut,
+                "--cut rings: the surface is nowhere narrower than on both sides; name a place, as "
+                "in \"ring 0,0,1\"");
+  }
+  all.notes.push_back("--cut rings: found " + counted(lines.size(), "narrow ring"));
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    add(all, {std::move(lines[k])}, "ring " + std::to_string(k + 1));
+}
+
+void add_listed(RequestedLines& all, const Patch& patch, const std::string& numbers,
+                const std::string& name) {
+  add(all, cut_lines_in(parse_rows(numbers, "--cut " + name), patch).lines, name);
+}
+
+/// Edges that the model's file sets apart.
+void add_model_lines(RequestedLines& all, const Patch& patch, const std::string& path,
+                     const LineWords& asked) {
+  const std::string& kind = asked.words.front();
+  const ModelLines which = kind == "uv"       ? ModelLines::texture
+                           : kind == "groups" ? ModelLines::groups
+                                              : ModelLines::materials;
+  DrawnLines drawn = read_model_lines(path_of(path), which);
+  // Edges of what is left out of the file are passed over.
+  const auto row = [](Vec3 p) { return std::array{p.x, p.y, p.z}; };
+  std::set<std::array<double, 3>> places;
+  for (const Vec3 p : patch.positions())
+    places.insert(row(p));
+  std::erase_if(drawn.lines, [&](const DrawnLine& line) {
+    return !places.contains(row(line.points.front())) || !places.contains(row(line.points.back()));
+  });
+  std::vector<SurfaceLine> lines =
+      trace_lines(patch, {chained_lines(std::move(drawn.lines)), {}}).lines;
+  if (lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut,
+                "--cut " + kind + ": none of these edges is one of the mesh that is cut");
+  }
+  all.notes.push_back("--cut " + kind + ": " + counted(lines.size(), "line"));
+  add(all, std::move(lines), kind);
 }
 
 void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
@@ -121,36 +171,89 @@ void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
   add_lines(all, std::move(read), file);
 }
 
+/// What was added to a pattern.
+void add_pattern_lines(RequestedLines& all, const Patch& patch, const std::string& file,
+                       const Arguments& arguments) {
+  const Patch flat = pattern_below(file, patch, scale_from(arguments));
+  const ReadDrawing read = drawing_on_sheet(file, flat, unit_from(arguments));
+  // Line by line, as each may leave the pattern.
+  for (const DrawnLine& line : chained_lines(read.drawn.lines)) {
+    for (SurfaceLine& part : trace_lines(flat, {{line}, {}}).lines) {
+      all.lines.push_back(std::move(part));
+      all.names.push_back(file + (line.place.line ? ":" + std::to_string(*line.place.line) : ""));
+      all.places.push_back(line.place);
+    }
+  }
+  if (all.lines.empty()) {
+    throw Error(ErrorCode::misplaced_cut, "no line of the drawing lies on the pattern",
+                {.path = file});
+  }
+}
+
+void add_words(RequestedLines& all, const Patch& patch, const std::string& path,
+               const LineWords& asked, const Arguments& arguments) {
+  const std::string& kind = asked.words.front();
+  if (kind == "plane") {
+    add_section(all, patch, asked, arguments);
+  } else if (kind == "creases") {
+    add_creases(all, patch, asked, arguments);
+  } else if (kind == "line") {
+    add(all, {shortest_line(patch, asked, arguments)}, asked.value);
+  } else if (kind == "straight") {
+    add(all, {straight_line(patch, asked, arguments)}, asked.value);
+  } else if (kind == "ring") {
+    add(all, {ring_line(patch, asked, arguments)}, asked.value);
+  } else if (kind == "rings") {
+    add_rings(all, patch);
+  } else if (kind == "vertices") {
+    add_listed(all, patch, asked.value.substr(asked.value.find(kind) + kind.size()), asked.value);
+  } else if (kind == "uv" || kind == "groups" || kind == "materials") {
+    add_model_lines(all, patch, path, asked);
+  } else if (is_numbers(asked.value)) {
+    add_listed(all, patch, asked.value, asked.value);
+  } else {
+    add_file(all, patch, asked.value, arguments);
+  }
+}
+
+/// Those of all times that the flag is given.
+std::vector<std::string> all_values(const Arguments& arguments) {
+  std::vector<std::string> all;
+  for (const Field& given : arguments.flags.at("--cut")) {
+    for (std::string& value : values_of(field_text(given)))
+      all.push_back(std::move(value));
+  }
+  return all;
+}
+
 }  // namespace
 
 bool asks_to_open(const Arguments& arguments) {
   if (arguments.rows.contains("--cut")) return false;
-  const std::vector<std::string> values = values_of(arguments.text("--cut"));
+  const std::vector<std::string> values = all_values(arguments);
   return std::find(values.begin(), values.end(), k_open) != values.end();
 }
 
 bool asks_for_lines(const Arguments& arguments) {
   if (arguments.rows.contains("--cut")) return true;
-  const std::vector<std::string> values = values_of(arguments.text("--cut"));
+  const std::vector<std::string> values = all_values(arguments);
   return std::any_of(values.begin(), values.end(),
                      [](const std::string& value) { return value != k_open; });
 }
 
-RequestedLines requested_lines(const Patch& patch, const Arguments& arguments) {
+RequestedLines requested_lines(const Patch& patch, const std::string& path,
+                               const Arguments& arguments) {
   RequestedLines all;
   if (arguments.rows.contains("--cut")) {
     add_lines(all, cut_lines_in(arguments.rows_of("--cut"), patch), "cut");
     return all;
   }
-  for (const std::string& value : values_of(arguments.text("--cut"))) {
+  for (const std::string& value : all_values(arguments)) {
     if (value == k_open) continue;
-    const std::vector<std::string> words =
-        is_file(value) ? std::vector<std::string>{} : words_of(value);
-    const std::string kind = words.empty() ? "" : words[0];
-    if (kind == "plane") {
-      add_section(all, patch, value, words, arguments);
-    } else if (kind == "creases") {
-      add_creases(all, patch, value, words, arguments);
+    if (!is_file(value)) {
+      add_words(all, patch, path, {value, words_of(value)}, arguments);
+    } else if (is_svg(value)) {
+      add_pattern_lines(all, patch, value, arguments);
     } else {
       add_file(all, patch, value, arguments);
     }

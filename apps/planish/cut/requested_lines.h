@@ -25,8 +25,11 @@ bool asks_to_open(const Arguments& arguments);
 /// Whether a value of --cut is anything else.
 bool asks_for_lines(const Arguments& arguments);
 
-/// The lines of all values of --cut but `open`: rows, files, planes, creases.
+/// The lines of all values of --cut but `open`: rows, files, and what words ask for, docs/lines.md.
+/// @param patch in the coordinates of its file
+/// @param path of that file
 /// @throws Error misplaced_cut, or as read_cut_lines(); UsageError
-RequestedLines requested_lines(const Patch& patch, const Arguments& arguments);
+RequestedLines requested_lines(const Patch& patch, const std::string& path,
+                               const Arguments& arguments);
 
 }  // namespace planish::cli

@@ -327,8 +327,7 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
                                     Session& session, CutOutcome& outcome) {
   CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
                               {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
-  outcome.edges += cut.cut->edges;
-  outcome.length += cut.cut->length;
+  outcome += *cut.cut;
   std::vector<ProductPatch> pieces;
   for (NamedPatch& piece : split(cut.mesh, patch.name)) {
     pieces.push_back(patch);
@@ -336,6 +335,30 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
     pieces.back().mesh = std::move(piece.mesh);
   }
   return pieces;
+}
+
+/// Takes those away that --without names.
+/// @param whole the name of what was cut
+/// @throws Error unknown_name, no_triangles
+void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
+               const Arguments& arguments, std::vector<std::string>& left_out) {
+  std::vector<std::string> names;
+  names.reserve(pieces.size());
+  for (const ProductPatch& piece : pieces)
+    names.push_back(piece.name);
+  ModelOptions options = model_options_from(arguments, names);
+  options.only.clear();  // that was of the file
+  std::erase_if(options.without, [&](const std::string& name) {
+    const bool is_of_file = std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+    return is_of_file || !name.starts_with(whole + "-");
+  });
+  check_names(options, names);
+  for (const std::string& name : options.without) {
+    std::erase_if(pieces, [&](const ProductPatch& piece) { return piece.name == name; });
+    left_out.push_back(name);
+  }
+  if (pieces.empty())
+    throw Error(ErrorCode::no_triangles, "--without leaves nothing of what the cut makes");
 }
 
 }  // namespace
@@ -347,7 +370,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
   if (are_several && asks_for_lines(arguments)) {
     throw UsageError(
         "flag --cut goes with one patch only, but --cut open; the input has several: "
-        "take one with --only NAME");
+        "take one with --only NAME, or what hangs together as one with --divide parts");
   }
   CutOutcome outcome;
   std::vector<ProductPatch> patches;
@@ -357,6 +380,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     input.patches.front().name = input.whole.pieces.front();
     input.patches.front().turned = input.whole.turned;
   }
+  const std::size_t before = input.patches.size();
+  std::size_t made = before;
   for (std::size_t p = 0; p < input.patches.size(); ++p) {
     const MeshFormat format = input.places[p].format;
     const std::string path = input.patches[p].words.source;
@@ -364,20 +389,24 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     if (input.patches[p].failure) {
       pieces.push_back(std::move(input.patches[p]));
     } else {
+      const std::string whole = input.patches[p].name;
       pieces =
           cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, outcome);
+      made += pieces.size() - 1;
+      if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
     }
     formats.insert(formats.end(), pieces.size(), format);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));
   }
-  const std::size_t before = input.patches.size();
   input.patches = std::move(patches);
   input.places = places_of(input.patches, formats);
-  if (input.patches.size() > before) {
-    session.note(input.path + ": the cut makes " + std::to_string(input.patches.size()) +
-                 " patches");
+  if (made > before)
+    session.note(input.path + ": the cut makes " + std::to_string(made) + " patches");
+  if (!are_several && input.patches.size() == 1) {
+    input.whole.mesh = input.patches.front().mesh;
+    input.whole.pieces = {input.patches.front().name};
+    input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
   }
-  if (!are_several && input.patches.size() == 1) input.whole.mesh = input.patches.front().mesh;
   return outcome;
 }
 

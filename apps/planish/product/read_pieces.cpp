@@ -120,6 +120,22 @@ AllPieces with_distinct_names(AllPieces all) {
   return all;
 }
 
+namespace {
+
+/// The names to be left out that only a cut makes: "body-3" of "body". They are looked for there.
+void add_names_of_cut(const ModelOptions& options, std::vector<std::string>& names) {
+  const std::vector<std::string> whole = names;
+  for (const std::string& name : options.without) {
+    const std::size_t dash = name.rfind('-');
+    const bool is_numbered = dash != std::string::npos && dash + 1 < name.size() &&
+                             name.find_first_not_of("0123456789", dash + 1) == std::string::npos;
+    if (is_numbered && is_among(whole, name.substr(0, dash)) && !is_among(whole, name))
+      names.push_back(name);
+  }
+}
+
+}  // namespace
+
 void choose_by_names_of_product(AllPieces& all, const Arguments& arguments) {
   const bool is_chosen = arguments.has("--only") || arguments.has("--without");
   if (!is_chosen || all.known.empty()) return;
@@ -131,6 +147,7 @@ void choose_by_names_of_product(AllPieces& all, const Arguments& arguments) {
     }
   }
   const ModelOptions options = model_options_from(arguments, names);
+  if (arguments.has("--cut")) add_names_of_cut(options, names);
   check_names(options, names);
   refuse_names_of_two(all, options.only);
   refuse_names_of_two(all, options.without);

@@ -75,6 +75,14 @@ bool is_sequence(py::handle value) {
          value.attr("ndim").cast<int>() > 0;
 }
 
+/// Whether each is a text, as a flag that repeats is given several.
+bool are_texts(py::handle values) {
+  bool are = true;
+  for (const py::handle value : values)
+    are = are && py::isinstance<py::str>(value);
+  return are;
+}
+
 /// Whether True and False are taken for the flag and its absence.
 bool is_switch(const cli::Flag& flag, py::handle value) {
   return !cli::needs_value(flag) && (flag.value.empty() || py::isinstance<py::bool_>(value));
@@ -91,6 +99,8 @@ void take(const std::string& keyword, const cli::Flag& flag, py::handle value,
   if (py::isinstance<MeshData>(value)) {
     fields = {keyword};
     arguments.meshes[flag.name] = value.cast<const MeshData&>().mesh;
+  } else if (is_sequence(value) && flag.accepts.repeats && are_texts(value)) {
+    fields = fields_of(keyword, value);
   } else if (is_sequence(value) && cli::type_of(flag) == cli::ValueType::file) {
     fields = {keyword};
     arguments.rows[flag.name] = rows_of(keyword, value);

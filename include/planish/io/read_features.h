@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <planish/mesh/carry.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/surface_line.h>
@@ -120,6 +121,23 @@ struct CutLinesOnPatch {
 /// @throws Error as read_cuts(), misplaced_cut also for a drawing none of which lies on the patch
 CutLinesOnPatch read_cut_lines(const std::filesystem::path& path, const Patch& patch,
                                bool smooth = true);
+
+/// The same of lines that were drawn.
+/// @throws Error misplaced_cut for a point that is farther from the patch than three mean edges,
+/// and
+///   where no line lies on it; as trace_lines()
+CutLinesOnPatch cut_lines_in(const DrawnLines& drawing, const Patch& patch, bool smooth = true);
+
+/// Which edges of a model file are lines.
+enum class ModelLines {
+  texture,    ///< those at which the texture of an OBJ file is elsewhere on one side than the other
+  groups,     ///< between its objects, else its groups, else its materials
+  materials,  ///< between its materials
+};
+
+/// Edges of a model file, in its coordinates, each a line of two points.
+/// @throws Error as read_mesh(); misplaced_cut where there are none
+DrawnLines read_model_lines(const std::filesystem::path& path, ModelLines lines);
 
 /// Those that rows list, as cuts_in() takes them.
 CutLinesOnPatch cut_lines_in(const Rows& rows, const Patch& patch);

@@ -22,6 +22,10 @@ Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions);
 /// The same in a pattern.
 Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions);
 
+/// The place of a mesh that is nearest to a point, of several always the same one. Linear time.
+/// @throws Error no_triangles; non_finite_coordinate for a point that is no number
+SurfacePoint nearest_place(const Patch& patch, Vec3 point);
+
 /// A line on a mesh from end to end, straight between two points that follow each other, which lie
 /// on one triangle: a point on an edge may be given by either triangle, a vertex by any. A closed
 /// line ends in its first point.
@@ -54,6 +58,26 @@ std::vector<SurfaceLine> plane_section(const Patch& patch, const Plane& plane, d
 /// @param least between normals, degrees, above 0
 /// @throws Error option_out_of_range
 std::vector<SurfaceLine> crease_lines(const Patch& patch, double least = 30.0);
+
+/// A stretch of a line that ran beside another line, or the border.
+struct DoubleStretch {
+  std::size_t line = 0;                    ///< its number, from 0
+  std::optional<std::size_t> beside = {};  ///< the other line; none: the border
+  double length = 0.0;                     ///< model units
+};
+
+/// Lines of which none runs beside another one, or along the border.
+struct SingleLines {
+  std::vector<SurfaceLine> lines;           ///< what is left, in the same order
+  std::vector<std::size_t> of = {};         ///< of each, the line that it is a part of
+  std::vector<DoubleStretch> doubled = {};  ///< what was left out
+};
+
+/// Leaves out stretches of lines that run beside an earlier line or the border, nearer than the
+/// tolerance for at least six times it: two such seams would leave a strip that nobody can sew.
+/// What is left is led on to the other line by join_lines().
+/// @param tolerance model units
+SingleLines single_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
 
 /// What was done at an end of a line.
 struct JoinedEnd {

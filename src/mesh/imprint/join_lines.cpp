@@ -8,7 +8,7 @@
 #include <planish/mesh/surface_line.h>
 
 #include "geometry/box.h"
-#include "mesh/carry/place_on_triangle.h"
+#include "mesh/imprint/line_points.h"
 #include "mesh/mean_edge.h"
 
 namespace planish {
@@ -97,51 +97,6 @@ class Joiner {
     result_.joined.push_back({l, is_last, nearest.distance / scale_, nearest.line});
   }
 
-  /// The vertices whose triangles all hold a point.
-  static std::vector<Index> carriers_of(const SurfacePoint& point) {
-    std::vector<Index> carriers;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (point.shares[k] > 0.0) carriers.push_back(point.corners[k]);
-    }
-    return carriers;
-  }
-
-  /// A triangle that holds both points.
-  std::optional<Triangle> common_triangle(const SurfacePoint& a, const SurfacePoint& b) const {
-    std::vector<Index> all = carriers_of(a);
-    for (const Index v : carriers_of(b)) {
-      if (std::find(all.begin(), all.end(), v) == all.end()) all.push_back(v);
-    }
-    if (all.size() > 3) return std::nullopt;
-    const auto ring = patch_.ring(all[0]);
-    const std::size_t count = patch_.is_border(all[0]) ? ring.size() - 1 : ring.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      const Triangle t = {all[0], ring[k], ring[(k + 1) % ring.size()]};
-      if (std::all_of(all.begin(), all.end(),
-                      [&](Index v) { return std::find(t.begin(), t.end(), v) != t.end(); }))
-        return t;
-    }
-    return std::nullopt;
-  }
-
-  /// The place on the segment of a line.
-  std::optional<SurfacePoint> point_on(const SurfaceLine& line, const Nearest& nearest) const {
-    const SurfacePoint &a = line[nearest.end - 1], &b = line[nearest.end];
-    const auto triangle = common_triangle(a, b);
-    if (!triangle) return std::nullopt;
-    SurfacePoint point{*triangle, {0.0, 0.0, 0.0}};
-    for (const auto& [end, share] :
-         {std::pair{&a, 1.0 - nearest.share}, std::pair{&b, nearest.share}}) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = std::find(triangle->begin(), triangle->end(), end->corners[k]);
-        if (end->shares[k] > 0.0)
-          point.shares[static_cast<std::size_t>(at - triangle->begin())] += share * end->shares[k];
-      }
-    }
-    point.shares = cleared(point.shares);
-    return point;
-  }
-
   /// Adds the way over the mesh to a place, if there is a short one.
   bool lead_on(std::size_t l, bool is_last, Vec3 end, const Nearest& nearest) {
     const DrawnLine drawn{{(1.0 / scale_) * end, (1.0 / scale_) * nearest.place}};
@@ -152,14 +107,16 @@ class Joiner {
       return false;
     // By rounding the traced way may begin beside a vertex on another triangle.
     const SurfacePoint& from = is_last ? result_.lines[l].back() : result_.lines[l].front();
-    if (common_triangle(from, way[1])) {
+    if (common_triangle(patch_, from, way[1])) {
       way.front() = from;
     } else {
       way.insert(way.begin(), from);
     }
     if (nearest.line) {
-      const auto point = point_on(result_.lines[*nearest.line], nearest);
-      if (!point || !common_triangle(way[way.size() - 2], *point)) return false;
+      const SurfaceLine& line = result_.lines[*nearest.line];
+      const auto point =
+          point_between(patch_, line[nearest.end - 1], line[nearest.end], nearest.share);
+      if (!point || !common_triangle(patch_, way[way.size() - 2], *point)) return false;
       way.back() = *point;
       SurfaceLine& other = result_.lines[*nearest.line];
       other.insert(other.begin() + static_cast<std::ptrdiff_t>(nearest.end), *point);

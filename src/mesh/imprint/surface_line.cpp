@@ -8,6 +8,8 @@
 #include <planish/mesh/surface_line.h>
 
 #include "core/math.h"
+#include "mesh/carry/place_on_triangle.h"
+#include "mesh/search/closest_point.h"
 
 namespace planish {
 
@@ -21,6 +23,15 @@ Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions) {
   return place.shares[0] * positions[place.corners[0]] +
          place.shares[1] * positions[place.corners[1]] +
          place.shares[2] * positions[place.corners[2]];
+}
+
+SurfacePoint nearest_place(const Patch& patch, Vec3 point) {
+  if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+  if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+    throw Error(ErrorCode::non_finite_coordinate, "a place has a coordinate that is no number");
+  const double scale = patch.unit_scale();
+  const ClosestPoint closest = ClosestPointTree(scaled(patch.mesh(), scale)).query(scale * point);
+  return {patch.triangles()[closest.triangle], cleared(closest.barycentric)};
 }
 
 SurfaceLine line_along_edges(const Patch& patch, std::span<const Index> path) {

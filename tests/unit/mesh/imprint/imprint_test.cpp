@@ -134,10 +134,6 @@ TEST(Imprint, ClosedSectionEndsWhereItBegins) {
   EXPECT_EQ(imprinted.paths[0].front(), imprinted.paths[0].back());
 }
 
-SurfacePoint nearest_place(const Patch& patch, Vec3 p) {
-  return trace_lines(patch, {{}, {p}}).points.at(0);
-}
-
 TEST(CreaseLines, AreTheEdgesOfARoof) {
   // A ridge at x = 3 that fades towards y = 8.
   const TriMesh mesh = meshes::height_field(

@@ -48,6 +48,7 @@
 #include <planish/mesh/seams.h>
 #include <planish/mesh/shapes.h>
 #include <planish/mesh/surface_line.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>

@@ -64,6 +64,8 @@ std::string_view to_string(ErrorCode code) {
       return "unsupported_constraint";
     case ErrorCode::misplaced_cut:
       return "misplaced_cut";
+    case ErrorCode::not_symmetric:
+      return "not_symmetric";
     case ErrorCode::unfold_failed:
       return "unfold_failed";
     case ErrorCode::overlapping_outline:

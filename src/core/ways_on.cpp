@@ -77,6 +77,8 @@ std::string_view way_on(ErrorCode code) {
       return "Leave one of them out, or choose another --method";
     case ErrorCode::misplaced_cut:
       return "Mend that line of the file of --cut; planish suggest-cuts writes one";
+    case ErrorCode::not_symmetric:
+      return "Leave --symmetric out, or take one half for both: --symmetric PLANE --mirror-surface";
     case ErrorCode::unfold_failed:
       return "Cut it with --cut FILE (planish suggest-cuts finds where), or mesh it anew with "
              "--remesh";

@@ -28,6 +28,7 @@ std::vector<unsigned char> fixed_marks(const Constraints& constraints, std::size
 Constraints restricted_to(const Constraints& constraints, std::span<const Index> source) {
   Constraints some;
   some.obstacle = constraints.obstacle;
+  some.symmetric_in = constraints.symmetric_in;
   const auto fixed = fixed_marks(constraints, source.empty() ? 0 : source.back() + std::size_t{1});
   for (Index v = 0; v < source.size(); ++v) {
     if (!fixed.empty() && fixed[source[v]] != 0) some.fixed.push_back(v);

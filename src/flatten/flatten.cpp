@@ -48,13 +48,18 @@ struct Work {
 
 UnfoldReport unfold_plain(const Patch& surface, const Work& work, double share) {
   return unfold_patch(surface, work.task.options.unit,
-                      {.least_stretch = true, .fold = work.design.fold}, work.parts.next(share));
+                      {.least_stretch = true,
+                       .fold = work.design.fold,
+                       .symmetric_in = work.design.constraints.symmetric_in},
+                      work.parts.next(share));
 }
 
 /// With limits and matched seams.
 UnfoldOptions as_asked(const Work& work) {
   const FlattenOptions& options = work.task.options;
-  UnfoldOptions how{.least_stretch = true, .fold = work.design.fold};
+  UnfoldOptions how{.least_stretch = true,
+                    .fold = work.design.fold,
+                    .symmetric_in = work.design.constraints.symmetric_in};
   how.match_seams = options.match_seams;
   how.match_if_possible = options.match_if_possible;
   how.free_edges = work.design.free_edges;

@@ -2,9 +2,13 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/unfold/unfold.h>
 
 #include "core/job.h"
@@ -235,17 +239,43 @@ std::vector<Vec2> in_disk_units(const Disk& disk, std::span<const Vec2> position
   return flat;
 }
 
+/// Of each vertex of the disk the one at its mirror image; empty where it is not symmetric.
+std::vector<std::size_t> images_in(const Patch& patch, const Disk& disk,
+                                   const std::optional<Plane>& plane) {
+  if (!plane) return {};
+  const Symmetry symmetry = symmetry_in(patch, *plane);
+  if (symmetry.image.empty()) return {};
+  std::vector<std::size_t> number(patch.vertex_count(), 0);
+  for (std::size_t v = 0; v < disk.vertex_count; ++v)
+    number[disk.vertex_of[v]] = v;
+  std::vector<std::size_t> images;
+  images.reserve(disk.vertex_count);
+  for (std::size_t v = 0; v < disk.vertex_count; ++v)
+    images.push_back(number[symmetry.image[disk.vertex_of[v]]]);
+  return images;
+}
+
+/// Steps are symmetric but for rounding and for what is open: the mean of both sides is so.
+std::vector<Vec2> with_images(std::vector<Vec2> flat, std::span<const std::size_t> images) {
+  if (images.empty()) return flat;
+  std::vector<Vec2> partners;
+  partners.reserve(flat.size());
+  for (const std::size_t v : images)
+    partners.push_back(flat[v]);
+  return symmetric_mean(std::move(flat), partners);
+}
+
 /// How the whole of a half is unfolded as the options say of the half.
 UnfoldOptions of_whole(UnfoldOptions options, const SymmetricWhole& whole) {
   options.fold.reset();
+  options.symmetric_in = whole.plane;
   const std::vector<std::array<Index, 2>> edges = options.free_edges;
   for (const std::array<Index, 2>& edge : edges)
     options.free_edges.push_back({whole.image[edge[0]], whole.image[edge[1]]});
   return options;
 }
 
-/// Unfolds the whole of a half. The steps of the whole are symmetric but for rounding; its half is
-/// made of the mean of both sides, so that the fold is straight.
+/// The half of the pattern of its whole.
 Pattern unfold_half(const Patch& half, const SymmetricWhole& whole, const UnfoldOptions& options,
                     const Context& context) {
   Pattern pattern = unfold(whole.patch, of_whole(options, whole), context);
@@ -259,11 +289,7 @@ Pattern unfold_half(const Patch& half, const SymmetricWhole& whole, const Unfold
     pattern.opened->vertex = static_cast<Index>(found - whole.image.begin());
   }
   const Disk disk = make_disk(half);
-  std::vector<Vec2> images(half.vertex_count());
-  for (std::size_t v = 0; v < images.size(); ++v)
-    images[v] = pattern.positions[whole.image[v]];
-  std::vector<Vec2> flat =
-      symmetric_mean(in_disk_units(disk, pattern.positions), in_disk_units(disk, images));
+  std::vector<Vec2> flat = in_disk_units(disk, pattern.positions);
   pattern.overlaps = pattern.overlaps || border_crosses_itself(disk, flat);
   pattern.width = pattern.height = 0.0;
   pattern.flipped_triangles = 0;
@@ -344,6 +370,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     flat = std::move(other);
   }
 
+  const std::vector<std::size_t> images = images_in(patch, disk, options.symmetric_in);
+  flat.flat = with_images(std::move(flat.flat), images);
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = border_crosses_itself(disk, flat.flat);
@@ -351,8 +379,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
     const double most = std::min(wanted, k_most_opened);
     if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {
-      flat.flat = std::move(open->flat);
-      pattern.overlaps = false;
+      flat.flat = with_images(std::move(open->flat), images);
+      pattern.overlaps = !images.empty() && border_crosses_itself(disk, flat.flat);
       pattern.opened = {open->crossings, in_model_units(disk, {open->largest_move, 0.0}).x,
                         disk.vertex_of[open->vertex]};
     }

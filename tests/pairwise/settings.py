@@ -76,6 +76,8 @@ VALUES = {
 LEFT_OUT = {
     "--open": "starts a browser",
     "--product": "of several files",
+    "--symmetric": "of symmetric forms, which the samples are not",
+    "--mirror-surface": "likewise",
     "--rename": "of several patches",
     "--resume": "of several files",
     "--seam-tolerance": "of several patches",

@@ -63,8 +63,9 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Evolv
 
 CommandResult evolve_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
-  refuse_single_file_flags(arguments,
-                           std::array{"--cut", "--avoid", "--history", "--fix", "--weights"});
+  refuse_single_file_flags(
+      arguments, std::array{"--cut", "--avoid", "--symmetric", "--mirror-surface", "--history",
+                            "--fix", "--weights"});
   const EvolveRequest request = evolve_request_from(arguments);
   const auto format = output_format_from(all, names_of(k_mesh_formats));
   const SeveralFiles job = {
@@ -82,7 +83,7 @@ CommandResult evolve_several(const Arguments& all, Session& session) {
 CommandResult run_evolve(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return evolve_several(arguments, session);
   output_format_from(arguments, names_of(k_mesh_formats));
-  const EvolveRequest request = evolve_request_from(arguments);
+  EvolveRequest request = evolve_request_from(arguments);
   const std::string output = arguments.text("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   std::vector<OutputFile> files = {{path_of(output), {}}};
@@ -91,6 +92,7 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 
   const std::string& path = arguments.operands.front();
   CutInput input = cut_as_asked(read_whole(path, arguments, session), path, arguments, session);
+  request.symmetric_in = input.symmetric_in;
   const auto [evolved, report, cautions] = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
@@ -115,14 +117,19 @@ EvolveRequest evolve_request_from(const Arguments& arguments) {
   const Unit unit = unit_from(arguments);
   const Method method = method_from(arguments, Method{});
   refuse_unsupported_constraints(arguments, method);
-  return {unit, method, stopping_from(arguments, method), smooth_first_from(arguments),
-          arguments.has("--remesh")};
+  return {unit,
+          method,
+          stopping_from(arguments, method),
+          smooth_first_from(arguments),
+          arguments.has("--remesh"),
+          {}};
 }
 
 Evolved evolve_as_asked(const Patch& patch, const std::string& path, const EvolveRequest& request,
                         const Arguments& arguments, Session& session) {
-  const auto& [unit, method, stopping, smooth_first, asks_to_remesh] = request;
-  const Constraints constraints = constraints_from(arguments, patch, session);
+  const auto& [unit, method, stopping, smooth_first, asks_to_remesh, symmetric_in] = request;
+  Constraints constraints = constraints_from(arguments, patch, session);
+  constraints.symmetric_in = symmetric_in;
   const Context context = session.job_context(path);
   if (smooth_first > 0.0) {
     const SmoothedDesign design = smooth_design(patch, smooth_first);

@@ -8,9 +8,9 @@
 
 #include "commands/commands.h"
 #include "commands/jobs.h"
+#include "cut/cut_flag.h"
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
-#include "cut/cut_flag.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/material_flag.h"
@@ -157,6 +157,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   if (read.is_batch) refuse_seam_flags(arguments);
   if (!read.is_described) note_idle_evolve_flags(session, arguments);
   const std::optional<CutOutcome> cut = cut_product(read, arguments, session);
+  options.constraints.symmetric_in = read.symmetric_in;
   if (read.patches.size() > 1 || read.is_described) rename_pieces(read, arguments);
   if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
@@ -178,6 +179,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     if (!options.remesh && options.may_change())
       note_memory(session, options.method.value_or(options.as_needed), patch.vertex_count());
     options.constraints = constraints_from(arguments, patch, session);
+    options.constraints.symmetric_in = read.symmetric_in;
     pattern.annotations =
         annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
     options.keep = named_vertices(pattern.annotations);

@@ -34,6 +34,7 @@ struct EvolveRequest {
   Stopping stopping = {};
   double smooth_first = 0.0;  ///< model units; 0 for not at all
   bool remesh = false;
+  std::optional<Plane> symmetric_in = {};  ///< that of --symmetric, from the mesh
 };
 
 /// @throws UsageError, Error option_out_of_range

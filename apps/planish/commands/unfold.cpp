@@ -118,8 +118,8 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
 CommandResult unfold_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(
-      arguments, std::array{"--cut", "--avoid", "--notches", "--marks", "--edge-allowances",
-                            "--inner-lines", "--piece-name"});
+      arguments, std::array{"--cut", "--avoid", "--symmetric", "--mirror-surface", "--notches",
+                            "--marks", "--edge-allowances", "--inner-lines", "--piece-name"});
   const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
   const UnfoldRequest request = request_from(arguments, "pattern" + extension);
   const SeveralFiles job = {
@@ -143,6 +143,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   Model model = read_piece(path, arguments, session);
   const std::string& name = model.pieces.front();
   const CutInput input = cut_as_asked(std::move(model.mesh), path, arguments, session);
+  request.options.symmetric_in = input.symmetric_in;
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   auto report = about(path, [&] {
     request.annotations =

@@ -11,6 +11,7 @@
 
 #include "cut/requested_lines.h"
 #include "cut/small_pieces.h"
+#include "cut/symmetric_design.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "mesh/mean_edge.h"
@@ -19,6 +20,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/lengths.h"
 
 namespace planish::cli {
@@ -45,7 +47,10 @@ std::vector<Flag> cut_flags() {
   const Flag keep = {"--keep-small", "",
                      "keep pieces that cuts make with less than 1 % of the area, or narrower than "
                      "two edges; else each is joined to a neighbour"};
-  return {cut, along, smooth, avoid, keep};
+  std::vector<Flag> flags = {cut, along, smooth, avoid, keep};
+  for (Flag& flag : symmetric_flags())
+    flags.push_back(std::move(flag));
+  return flags;
 }
 
 namespace {
@@ -71,18 +76,26 @@ class Cutter {
         lengths_(unit_from(arguments)),
         scale_(scale_from(arguments)) {}
 
-  CutInput cut(const TriMesh& mesh) {
-    const Patch patch(as_in_file(mesh, arguments_));
+  /// @param symmetric null where the design is not to be its own mirror image
+  CutInput cut(TriMesh mesh, SymmetricDesign* symmetric) {
+    Patch patch(as_in_file(mesh, arguments_));
     asked_ = requested_lines(patch, path_, arguments_);
     check_count(asked_.lines);
     for (const std::string& note : asked_.notes)
       session_.note(note);
-    const std::vector<SurfaceLine> lines = tidied(patch);
-    const ImprintedMesh imprinted = imprint(Patch(mesh), lines);
+    make_single(patch);
+    join_ends(patch, 0.0);
+    if (symmetric != nullptr) {
+      mesh = symmetric->surface_for(asked_);
+      patch = Patch(as_in_file(mesh, arguments_));
+      asked_ = symmetric->with_images(std::move(asked_), mesh);
+      join_ends(patch, 0.1 * join_tolerance(patch.mesh()));  // what the first time led to the plane
+    }
+    const ImprintedMesh imprinted = imprint(Patch(mesh), asked_.lines);
     const Patch whole(imprinted.mesh);
     std::vector<LinePath> paths;
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      paths.push_back({imprinted.paths[k], of_[k]});
+    for (std::size_t k = 0; k < asked_.lines.size(); ++k)
+      paths.push_back({imprinted.paths[k], k});
     SmallLimits limits;
     if (!arguments_.has("--keep-small")) limits = {0.01, 2.0 * mean_edge_length(mesh)};
     const KeptPaths kept = without_small_pieces(whole, paths, limits);
@@ -102,7 +115,8 @@ class Cutter {
     return line ? asked_.names[*line] : "the border";
   }
 
-  std::vector<SurfaceLine> tidied(const Patch& patch) {
+  /// Of lines that run side by side one is left.
+  void make_single(const Patch& patch) {
     constexpr double k_double = 1e-3;  // of the diagonal
     SingleLines single = single_lines(patch, std::move(asked_.lines),
                                       k_double * bounding_box_diagonal(patch.mesh()));
@@ -111,24 +125,36 @@ class Cutter {
                     text(stretch.length) +
                     (stretch.beside ? "; they are made one" : "; nothing is cut there"));
     }
-    of_ = std::move(single.of);
-    JoinedLines joined = join_lines(patch, std::move(single.lines), join_tolerance(patch.mesh()));
-    for (const JoinedEnd& end : joined.joined) {
-      const auto to = end.to ? std::optional(of_[*end.to]) : std::nullopt;
-      session_.note((end.is_last ? "the end of " : "the beginning of ") + name(of_[end.line]) +
-                    " is " + text(end.distance) + " from " + name(to) + "; joined");
+    RequestedLines left{std::move(single.lines), {}, {}};
+    for (const std::size_t line : single.of) {
+      left.names.push_back(asked_.names[line]);
+      left.places.push_back(asked_.places[line]);
     }
-    return std::move(joined.lines);
+    asked_ = std::move(left);
+  }
+
+  /// Leads ends of the lines on to what they nearly meet, and tells of those that were farther.
+  void join_ends(const Patch& patch, double farther) {
+    JoinedLines joined = join_lines(patch, std::move(asked_.lines), join_tolerance(patch.mesh()));
+    for (const JoinedEnd& end : joined.joined) {
+      if (end.distance < farther) continue;
+      session_.note((end.is_last ? "the end of " : "the beginning of ") + name(end.line) + " is " +
+                    text(end.distance) + " from " + name(end.to) + "; joined");
+    }
+    asked_.lines = std::move(joined.lines);
   }
 
   void tell(const SmallPiece& piece) const {
-    std::string around;
-    for (const std::size_t line : piece.lines)
-      around += (around.empty() ? "" : ", ") + asked_.names[line];
+    std::vector<std::string> names;
+    for (const std::size_t line : piece.lines) {
+      if (std::find(names.begin(), names.end(), asked_.names[line]) == names.end())
+        names.push_back(asked_.names[line]);
+    }
     const std::string stem = stem_of(path_) + "-";
-    session_.warn("piece " + stem + std::to_string(piece.piece + 1) + " between " + around +
-                  " has " + percent(piece.area) + " of the area; it is joined to " + stem +
-                  std::to_string(piece.joined_to + 1) + ", and --keep-small keeps it");
+    session_.warn("piece " + stem + std::to_string(piece.piece + 1) + " between " +
+                  list_of_some(names) + " has " + percent(piece.area) +
+                  " of the area; it is joined to " + stem + std::to_string(piece.joined_to + 1) +
+                  ", and --keep-small keeps it");
   }
 
   const std::string& path_;
@@ -137,7 +163,6 @@ class Cutter {
   ShownLengths lengths_;
   double scale_;
   RequestedLines asked_;
-  std::vector<std::size_t> of_;  // line -> line that was asked for
 };
 
 /// Cuts along edges between vertices of the mesh.
@@ -188,6 +213,28 @@ CutInput opened(TriMesh mesh, const Arguments& arguments, Session& session,
   return {std::move(graph.mesh), CutOutcome{graph.edges, graph.length}};
 }
 
+/// @param symmetric null where the design is not to be its own mirror image
+CutInput cut_along_lines(TriMesh mesh, SymmetricDesign* symmetric, const std::string& path,
+                         const Arguments& arguments, Session& session) {
+  CutInput cut = is_through_triangles(arguments)
+                     ? Cutter(path, arguments, session).cut(std::move(mesh), symmetric)
+                     : cut_along_edges(mesh, arguments, session);
+  session.note(arguments.text("--cut") + ": cut open along " + counted(cut.cut->edges, "edge") +
+               ", " + ShownLengths(unit_from(arguments)).text(cut.cut->length));
+  return cut;
+}
+
+CutInput cut_without_images(TriMesh mesh, const std::string& path, const Arguments& arguments,
+                            Session& session, const OpeningLimits& limits) {
+  CutInput result = {std::move(mesh), CutOutcome{}};
+  if (asks_for_lines(arguments))
+    result = cut_along_lines(std::move(result.mesh), nullptr, path, arguments, session);
+  if (!asks_to_open(arguments)) return result;
+  CutInput open = opened(std::move(result.mesh), arguments, session, limits);
+  *open.cut += *result.cut;
+  return open;
+}
+
 }  // namespace
 
 CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
@@ -203,20 +250,18 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   const bool opens = arguments.has("--cut") && asks_to_open(arguments);
   if (arguments.has("--avoid") && !opens)
     throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");
-  if (!arguments.has("--cut")) return {std::move(mesh)};
+  const bool is_symmetric = asks_for_symmetry(arguments);
+  if (!arguments.has("--cut") && !is_symmetric) return {std::move(mesh)};
   return about(path, [&]() -> CutInput {
-    CutInput result = {std::move(mesh), CutOutcome{}};
-    if (asks_for_lines(arguments)) {
-      result = is_through_triangles(arguments) ? Cutter(path, arguments, session).cut(result.mesh)
-                                               : cut_along_edges(result.mesh, arguments, session);
-      session.note(arguments.text("--cut") + ": cut open along " +
-                   counted(result.cut->edges, "edge") + ", " +
-                   ShownLengths(unit_from(arguments)).text(result.cut->length));
-    }
-    if (!opens) return result;
-    CutInput open = opened(std::move(result.mesh), arguments, session, limits);
-    *open.cut += *result.cut;
-    return open;
+    if (!is_symmetric) return cut_without_images(std::move(mesh), path, arguments, session, limits);
+    SymmetricDesign symmetric(mesh, path, arguments, session);
+    RequestedLines none;
+    CutInput input = arguments.has("--cut")
+                         ? cut_along_lines(std::move(mesh), &symmetric, path, arguments, session)
+                         : CutInput{symmetric.surface_for(none)};
+    input.mesh = symmetric.with_symmetric_pieces(std::move(input.mesh));
+    input.symmetric_in = symmetric.plane();
+    return input;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/mesh/surface_line.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/report/json_report.h>
 
@@ -12,7 +13,7 @@
 
 namespace planish::cli {
 
-/// --cut and how its lines are taken, for verbs that take a patch.
+/// --cut, how its lines are taken and mirrored, for verbs that take a patch.
 std::vector<Flag> cut_flags();
 
 /// What --cut did to a mesh.
@@ -25,10 +26,12 @@ struct CutOutcome {
   CutOutcome& operator+=(const CutOutcome& more);
 };
 
-/// The mesh as the verb is to work on it: cut open where --cut says so, which is told.
+/// The mesh as the verb is to work on it: cut open and symmetric where --cut and --symmetric say
+/// so, which is told.
 struct CutInput {
   TriMesh mesh;
   std::optional<CutOutcome> cut = {};
+  std::optional<Plane> symmetric_in = {};  ///< that of --symmetric; model units
 };
 
 /// How far `--cut open` goes.
@@ -37,7 +40,7 @@ struct OpeningLimits {
   bool match_seams = false;     ///< the pieces are sewn to others
 };
 
-/// @throws Error as read_cuts(), cut_open() and cut_graph()
+/// @throws Error as read_cuts(), cut_open(), cut_graph() and SymmetricDesign
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits = {});
 

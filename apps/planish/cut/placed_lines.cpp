@@ -92,13 +92,17 @@ SurfaceLine ring_line(const Patch& patch, const LineWords& asked, const Argument
   return ring->points;
 }
 
-Plane plane_of(const LineWords& asked, const Arguments& arguments) {
-  const std::string text = asked.words.size() == 2 ? asked.words[1] : "";
+Plane axis_plane(const std::string& flag, const std::string& kind, const std::string& text,
+                 const Arguments& arguments) {
   const auto axis = std::string_view("xyz").find(text.empty() ? '?' : text[0]);
-  if (axis == std::string_view::npos || text.size() < 3 || text[1] != '=')
-    refuse(asked, "a plane is \"plane x=0\", \"plane y=12mm\" or with z");
+  if (axis == std::string_view::npos || text.size() < 3 || text[1] != '=') {
+    throw UsageError(flag + " " + kind + text + ": a plane is \"" + kind + "x=0\", \"" + kind +
+                     "y=12mm\" or with z");
+  }
+  const double offset = quantity_value(kind.empty() ? flag : flag + " plane", text.substr(2),
+                                       Quantity::length, {}, arguments);
   constexpr std::array axes = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
-  return {axes[axis], length_in_file(asked, text.substr(2), arguments)};
+  return {axes[axis], offset / scale_from(arguments)};
 }
 
 }  // namespace planish::cli

@@ -32,8 +32,10 @@ SurfaceLine straight_line(const Patch& patch, const LineWords& asked, const Argu
 /// @throws as shortest_line(); Error misplaced_cut where there is none
 SurfaceLine ring_line(const Patch& patch, const LineWords& asked, const Arguments& arguments);
 
-/// "x=0", "y=12mm": a plane across an axis.
-/// @throws UsageError
-Plane plane_of(const LineWords& asked, const Arguments& arguments);
+/// The plane that "x=0" or "y=12mm" names, in the coordinates of the file.
+/// @param flag,kind what stands before it, for errors: "--cut" and "plane "
+/// @throws UsageError; Error option_out_of_range
+Plane axis_plane(const std::string& flag, const std::string& kind, const std::string& text,
+                 const Arguments& arguments);
 
 }  // namespace planish::cli

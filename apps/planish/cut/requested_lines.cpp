@@ -91,8 +91,10 @@ void add_lines(RequestedLines& all, CutLinesOnPatch read, const std::string& nam
 
 void add_section(RequestedLines& all, const Patch& patch, const LineWords& asked,
                  const Arguments& arguments) {
-  auto lines = plane_section(patch, plane_of(asked, arguments),
-                             k_on_plane * bounding_box_diagonal(patch.mesh()));
+  auto lines = plane_section(
+      patch,
+      axis_plane("--cut", "plane ", asked.words.size() == 2 ? asked.words[1] : "", arguments),
+      k_on_plane * bounding_box_diagonal(patch.mesh()));
   if (lines.empty()) {
     throw Error(ErrorCode::misplaced_cut,
                 "--cut " + asked.value + ": the plane does not meet the mesh");

@@ -19,6 +19,12 @@ struct RequestedLines {
   std::vector<std::string> notes = {};
 };
 
+/// The plane that "x=0" or "y=12mm" names, in the coordinates of the file.
+/// @param flag,kind what stands before it, for errors: "--cut" and "plane "
+/// @throws UsageError; Error option_out_of_range
+Plane axis_plane(const std::string& flag, const std::string& kind, const std::string& text,
+                 const Arguments& arguments);
+
 /// Whether a value of --cut is `open`.
 bool asks_to_open(const Arguments& arguments);
 

@@ -11,6 +11,7 @@
 #include <planish/mesh/repair.h>
 
 #include "cut/requested_lines.h"
+#include "cut/symmetric_design.h"
 #include "mesh/split.h"
 #include "model/model_flags.h"
 #include "output/pattern_output.h"
@@ -321,13 +322,14 @@ namespace {
 
 constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
 
-/// The pieces that a patch is cut into.
+/// The pieces that a patch is cut into; to what was done to all is added what was done to it.
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
                                     bool is_one_of_several, const Arguments& arguments,
-                                    Session& session, CutOutcome& outcome) {
+                                    Session& session, CutInput& all) {
   CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
                               {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
-  outcome += *cut.cut;
+  if (cut.cut) *all.cut += *cut.cut;
+  all.symmetric_in = cut.symmetric_in;
   std::vector<ProductPatch> pieces;
   for (NamedPatch& piece : split(cut.mesh, patch.name)) {
     pieces.push_back(patch);
@@ -365,14 +367,16 @@ void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
 
 std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
                                       Session& session) {
-  if (!arguments.has("--cut")) return std::nullopt;
+  const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
+  if (!is_symmetric && !is_cut) return std::nullopt;
   const bool are_several = input.patches.size() > 1 || input.is_described;
-  if (are_several && asks_for_lines(arguments)) {
+  if (are_several && (is_symmetric || asks_for_lines(arguments))) {
     throw UsageError(
-        "flag --cut goes with one patch only, but --cut open; the input has several: "
+        "flag " + std::string(is_symmetric ? "--symmetric" : "--cut") +
+        " goes with one patch only, but for --cut open; the input has several: "
         "take one with --only NAME, or what hangs together as one with --divide parts");
   }
-  CutOutcome outcome;
+  CutInput all{{}, CutOutcome{}};
   std::vector<ProductPatch> patches;
   std::vector<MeshFormat> formats;
   if (!are_several) {
@@ -390,8 +394,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
       pieces.push_back(std::move(input.patches[p]));
     } else {
       const std::string whole = input.patches[p].name;
-      pieces =
-          cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, outcome);
+      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, all);
       made += pieces.size() - 1;
       if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
     }
@@ -407,7 +410,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     input.whole.pieces = {input.patches.front().name};
     input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
   }
-  return outcome;
+  input.symmetric_in = all.symmetric_in;
+  return is_cut ? all.cut : std::nullopt;
 }
 
 }  // namespace planish::cli

@@ -32,6 +32,7 @@ struct ProductInput {
   /// It is described by a file: several patches by its own account, even where it lists one.
   bool is_described = false;
   std::vector<NamedSeam> seams = {};       ///< of a product that is described
+  std::optional<Plane> symmetric_in = {};  ///< that of --symmetric
   std::vector<std::string> left_out = {};  ///< names of the pieces that flags leave out
 };
 
@@ -52,8 +53,8 @@ struct ProductInput {
 ProductInput read_product(Session& session, const std::vector<std::string>& paths,
                           const Arguments& arguments, bool as_product);
 
-/// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
-/// from then on.
+/// Cuts an input of one patch open as --cut and --symmetric say; where that divides it, it has
+/// several patches from then on.
 /// @throws UsageError for an input of several patches and for a product file, Error as
 /// cut_as_asked()
 std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,

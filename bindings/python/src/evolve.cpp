@@ -32,11 +32,12 @@ struct EvolveOutcome {
 
 EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "evolve", keywords);
-  const cli::EvolveRequest request = cli::evolve_request_from(arguments);
+  cli::EvolveRequest request = cli::evolve_request_from(arguments);
   Job job(arguments, std::move(progress));
   EvolveOutcome outcome = job.run([&](cli::Session& session) {
     cli::CutInput input = cut_input(data, arguments, session);
     const Patch patch(std::move(input.mesh));
+    request.symmetric_in = input.symmetric_in;
     cli::note_obstruction(session, patch);
     return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, request, arguments, session),
                          input.cut, request.unit};
@@ -56,7 +57,7 @@ class Sweeps {
  public:
   Sweeps(const MeshData& data, const py::dict& keywords)
       : arguments_(arguments_on(data, "evolve", keywords)), job_(arguments_, py::none()) {
-    for (const char* flag : {"--remesh", "--smooth-first"}) {
+    for (const char* flag : {"--remesh", "--smooth-first", "--symmetric"}) {
       if (arguments_.has(flag))
         throw cli::UsageError("flag " + std::string(flag) + " does not go with single sweeps");
     }

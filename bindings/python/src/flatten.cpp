@@ -59,6 +59,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
     const Patch patch(std::move(input.mesh));
     cli::note_obstruction(session, patch);
     options.constraints = cli::constraints_from(arguments, patch, session);
+    options.constraints.symmetric_in = input.symmetric_in;
     pattern.annotations =
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     options.keep = named_vertices(pattern.annotations);
@@ -76,7 +77,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
 
 UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "unfold", keywords);
-  const cli::UnfoldRequest request = cli::unfold_request_from(arguments, true);
+  cli::UnfoldRequest request = cli::unfold_request_from(arguments, true);
   cli::PatternFiles pattern = {{}, request.output, request.annotations};
   Job job(arguments, std::move(progress));
   UnfoldResult result = job.run([&](cli::Session& session) {
@@ -86,6 +87,7 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     std::vector<Caution> cautions = find_cautions(patch);
     pattern.annotations.cautions = words_of(cautions);
+    request.options.symmetric_in = input.symmetric_in;
     UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context({}));
     cli::note_cautions(session, data.name, cautions, request.unit);

@@ -44,6 +44,7 @@ enum class ErrorCode {
   unknown_name,
   unsupported_constraint,
   misplaced_cut,
+  not_symmetric,
   // What could not be done
   unfold_failed,
   overlapping_outline,

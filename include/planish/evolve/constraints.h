@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <planish/evolve/method.h>
+#include <planish/mesh/surface_line.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -14,6 +16,9 @@ struct Constraints {
   std::vector<double> weights =
       {};                 ///< one per vertex, 1e-6 to 1e6: the weight of its moves; none: 1
   TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
+  /// A patch that is symmetric in this plane vertex by vertex (Symmetry::image) stays so: moves are
+  /// the means of those of both sides. Idle for others.
+  std::optional<Plane> symmetric_in = {};
 };
 
 /// What is asked of some of the vertices, numbered by their place in `source`.

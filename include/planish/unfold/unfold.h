@@ -7,6 +7,7 @@
 
 #include <planish/core/context.h>
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 #include <planish/unfold/strain.h>
 
 namespace planish {
@@ -48,6 +49,10 @@ struct UnfoldOptions {
   /// Where it lies in a plane, but for a thousandth of its length, the whole is laid flat, and the
   /// pattern is the half of that: the stretch is straight in it. Elsewhere it is idle.
   std::optional<std::array<Index, 2>> fold = {};
+  /// The pattern of a patch that is symmetric in this plane vertex by vertex (Symmetry::image) is
+  /// its own mirror image, to rounding. Idle for others, and with a fold, which has a plane of its
+  /// own.
+  std::optional<Plane> symmetric_in = {};
 };
 
 /// Where the border of a pattern crossed itself by a hair and was moved apart.

@@ -63,6 +63,7 @@ Constraints of_whole(Constraints constraints, const SymmetricWhole& whole) {
   for (Index v = 0; v < weights; ++v) {
     if (is_paired(v)) constraints.weights.push_back(constraints.weights[v]);
   }
+  constraints.symmetric_in = whole.plane;
   return constraints;
 }
 
@@ -98,7 +99,7 @@ EvolveResult evolve_half(const Patch& half, const SymmetricWhole& whole, const M
                          const Context& context) {
   EvolveResult result =
       evolve(whole.patch, method, stopping, of_whole(constraints, whole), context);
-  result.positions = half_of(whole, result.positions);
+  result.positions.resize(whole.half_size);
   for (const Index v : constraints.fixed)
     result.positions[v] = half.positions()[v];
   return result;

@@ -42,6 +42,7 @@ std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Pat
   UnfoldOptions plain;
   plain.least_stretch = how.least_stretch;
   plain.fold = how.fold;
+  plain.symmetric_in = how.symmetric_in;
   const auto unfold_before = [&] { return unfold_patch(before, unit, plain, quiet); };
   PartsOfJob parts(context);
   if (!at_once) {

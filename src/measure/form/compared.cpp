@@ -8,8 +8,8 @@
 
 #include "core/neumaier_sum.h"
 #include "measure/bends.h"
-#include "measure/moments.h"
 #include "measure/normals.h"
+#include "mesh/symmetry/moments.h"
 
 namespace planish {
 

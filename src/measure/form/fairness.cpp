@@ -13,10 +13,10 @@
 #include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/form/form_change.h"
-#include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/off_border.h"
 #include "measure/smoothed.h"
+#include "mesh/symmetry/moments.h"
 
 namespace planish {
 

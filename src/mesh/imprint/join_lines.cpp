@@ -8,7 +8,7 @@
 #include <planish/mesh/surface_line.h>
 
 #include "geometry/box.h"
-#include "mesh/imprint/line_points.h"
+#include "mesh/imprint/shared_triangle.h"
 #include "mesh/mean_edge.h"
 
 namespace planish {
@@ -107,7 +107,7 @@ class Joiner {
       return false;
     // By rounding the traced way may begin beside a vertex on another triangle.
     const SurfacePoint& from = is_last ? result_.lines[l].back() : result_.lines[l].front();
-    if (common_triangle(patch_, from, way[1])) {
+    if (shared_triangle(patch_, from, way[1])) {
       way.front() = from;
     } else {
       way.insert(way.begin(), from);
@@ -116,7 +116,7 @@ class Joiner {
       const SurfaceLine& line = result_.lines[*nearest.line];
       const auto point =
           point_between(patch_, line[nearest.end - 1], line[nearest.end], nearest.share);
-      if (!point || !common_triangle(patch_, way[way.size() - 2], *point)) return false;
+      if (!point || !shared_triangle(patch_, way[way.size() - 2], *point)) return false;
       way.back() = *point;
       SurfaceLine& other = result_.lines[*nearest.line];
       other.insert(other.begin() + static_cast<std::ptrdiff_t>(nearest.end), *point);

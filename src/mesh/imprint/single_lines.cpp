@@ -6,7 +6,7 @@
 #include <planish/mesh/surface_line.h>
 
 #include "geometry/box.h"
-#include "mesh/imprint/line_points.h"
+#include "mesh/imprint/shared_triangle.h"
 
 namespace planish {
 

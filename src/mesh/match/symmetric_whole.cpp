@@ -93,7 +93,7 @@ bool stands_across(const Patch& half, const BorderPath& path, Vec3 normal) {
 }
 
 /// The plane through both ends that leaves the others least; nothing where they leave it too far.
-std::optional<MirrorPlane> plane_of(const Patch& half, const BorderPath& path) {
+std::optional<Plane> plane_of(const Patch& half, const BorderPath& path) {
   const std::vector<Vec3>& p = half.positions();
   const Vec3 start = p[path.front()], chord = p[path.back()] - start;
   const double length = length_along(path, p);
@@ -108,21 +108,21 @@ std::optional<MirrorPlane> plane_of(const Patch& half, const BorderPath& path) {
     farthest = std::max(farthest, math::hypot(a, b));
   }
   const double most = k_most_off_plane * length;
-  MirrorPlane plane{start, {}};
+  Vec3 normal;
   if (farthest > most) {
     // Across the direction in which the fold bulges most.
     const double angle = 0.5 * (math::atan2(2.0 * uw, uu_less_ww) + std::numbers::pi);
-    plane.normal = math::cos(angle) * u + math::sin(angle) * w;
-    if (!stands_across(half, path, plane.normal)) return std::nullopt;
+    normal = math::cos(angle) * u + math::sin(angle) * w;
+    if (!stands_across(half, path, normal)) return std::nullopt;
   } else {
     const Vec3 into = direction_into(half, path, along);
     if (!(norm(into) > 0.0)) return std::nullopt;
-    plane.normal = 1.0 / norm(into) * into;
+    normal = 1.0 / norm(into) * into;
   }
   const bool is_plane = std::all_of(path.begin(), path.end(), [&](Index v) {
-    return std::abs(dot(p[v] - start, plane.normal)) <= most;
+    return std::abs(dot(p[v] - start, normal)) <= most;
   });
-  return is_plane ? std::optional(plane) : std::nullopt;
+  return is_plane ? std::optional(Plane{normal, dot(normal, start)}) : std::nullopt;
 }
 
 /// Whether an edge inside of the half joins two places of the fold: both halves would have it.
@@ -139,36 +139,24 @@ bool has_chord(const Patch& half, const BorderPath& path) {
   });
 }
 
-SymmetricWhole whole_of(const Patch& half, const BorderPath& path, const MirrorPlane& plane) {
-  TriMesh mesh = half.mesh();
-  std::vector<Index> image(mesh.positions.size());
-  std::vector<bool> on_fold(image.size(), false);
+SymmetricWhole whole_of(const Patch& half, const BorderPath& path, const Plane& plane) {
+  std::vector<bool> on_fold(half.vertex_count(), false);
   for (const Index v : path)
     on_fold[v] = true;
-  for (Index v = 0; v < image.size(); ++v) {
-    if (on_fold[v]) {
-      mesh.positions[v] = plane.nearest(mesh.positions[v]);
-      image[v] = v;
-    } else {
-      image[v] = static_cast<Index>(mesh.positions.size());
-      mesh.positions.push_back(plane.mirrored(mesh.positions[v]));
-    }
-  }
-  for (const Triangle& t : half.triangles())
-    mesh.triangles.push_back({image[t[0]], image[t[2]], image[t[1]]});
-  return {Patch(std::move(mesh)), std::move(image), plane};
+  SymmetricMesh whole = with_mirror_image(half.mesh(), on_fold, plane);
+  return {Patch(std::move(whole.mesh)), std::move(whole.image), plane, half.vertex_count()};
 }
 
 }  // namespace
 
 std::optional<SymmetricWhole> symmetric_whole(const Patch& half, std::array<Index, 2> ends) {
-  std::optional<MirrorPlane> plane;
+  std::optional<Plane> plane;
   BorderPath fold;
   double least = std::numeric_limits<double>::infinity();
   for (BorderPath& path : paths_between(half, ends)) {
     const double length = length_along(path, half.positions());
     if (!(length < least)) continue;
-    const std::optional<MirrorPlane> some = plane_of(half, path);
+    const std::optional<Plane> some = plane_of(half, path);
     if (!some || has_chord(half, path)) continue;
     plane = some;
     fold = std::move(path);
@@ -178,14 +166,27 @@ std::optional<SymmetricWhole> symmetric_whole(const Patch& half, std::array<Inde
   return whole_of(half, fold, *plane);
 }
 
-std::vector<Vec3> half_of(const SymmetricWhole& whole, const std::vector<Vec3>& positions) {
-  std::vector<Vec3> half;
-  half.reserve(whole.half_size());
-  for (std::size_t v = 0; v < whole.half_size(); ++v) {
-    const Vec3 other = whole.plane.mirrored(positions[whole.image[v]]);
-    half.push_back(positions[v] + 0.5 * (other - positions[v]));
+SymmetricMesh with_mirror_image(TriMesh half, const std::vector<bool>& is_welded,
+                                const Plane& plane) {
+  SymmetricMesh whole{std::move(half), {}};
+  TriMesh& mesh = whole.mesh;
+  const std::size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+  whole.image.resize(vertices);
+  for (Index v = 0; v < vertices; ++v) {
+    whole.image[v] = v;
+    if (is_welded[v]) {
+      mesh.positions[v] = foot_on(plane, mesh.positions[v]);
+      continue;
+    }
+    whole.image[v] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(mirrored(plane, mesh.positions[v]));
+    whole.image.push_back(v);
   }
-  return half;
+  for (std::size_t k = 0; k < triangles; ++k) {
+    const Triangle t = mesh.triangles[k];
+    mesh.triangles.push_back({whole.image[t[0]], whole.image[t[2]], whole.image[t[1]]});
+  }
+  return whole;
 }
 
 }  // namespace planish

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "core/math.h"
-#include "measure/moments.h"
+#include "mesh/symmetry/moments.h"
 
 namespace planish {
 

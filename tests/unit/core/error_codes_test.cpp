@@ -10,6 +10,7 @@
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/pattern/allowance.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/nest.h>
@@ -128,6 +129,11 @@ const std::map<Code, Reproduction>& reproductions() {
       {Code::misplaced_cut,
        [] {
          cut_open(Patch(grid), std::vector<CutPath>{{{0, 1}, {}}});
+       }},
+      {Code::not_symmetric,
+       [] {
+         const Patch patch(grid);
+         require_symmetric(patch, symmetry_in(patch, {{1.0, 0.0, 0.0}, 0.0}));
        }},
       {Code::unfold_failed,
        [] {

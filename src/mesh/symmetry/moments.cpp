@@ -1,4 +1,4 @@
-#include "measure/moments.h"
+#include "mesh/symmetry/moments.h"
 
 #include <array>
 
@@ -30,6 +30,8 @@ SurfaceMoments moments_of(std::span<const Triangle> triangles, std::span<const V
       moments.covariance += area / 3.0 * corner * corner.transpose();
     }
   }
+  moments.middle = {centre.x, centre.y, centre.z};
+  if (moments.area > 0.0) moments.middle += sum / moments.area;
   if (moments.area > 0.0) moments.covariance -= sum * sum.transpose() / moments.area;
   return moments;
 }

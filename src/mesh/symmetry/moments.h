@@ -12,6 +12,7 @@ namespace planish {
 struct SurfaceMoments {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< sum of the triangles' normals by area
   double area = 0.0;                                     ///< twice the surface's
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();      ///< centroid of the area, scaled
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the corners, weighed by area
 };
 

@@ -1,6 +1,7 @@
-#include "mesh/imprint/line_points.h"
+#include "mesh/imprint/shared_triangle.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "mesh/carry/place_on_triangle.h"
@@ -15,27 +16,32 @@ std::vector<Index> carriers_of(const SurfacePoint& point) {
   return carriers;
 }
 
-std::optional<Triangle> common_triangle(const Patch& patch, const SurfacePoint& a,
-                                        const SurfacePoint& b) {
-  std::vector<Index> all = carriers_of(a);
-  for (const Index v : carriers_of(b)) {
-    if (std::find(all.begin(), all.end(), v) == all.end()) all.push_back(v);
-  }
-  if (all.size() > 3) return std::nullopt;
-  const auto ring = patch.ring(all[0]);
-  const std::size_t count = patch.is_border(all[0]) ? ring.size() - 1 : ring.size();
+std::optional<Triangle> triangle_with(const Patch& patch, std::span<const Index> vertices) {
+  if (vertices.empty() || vertices.size() > 3) return std::nullopt;
+  const auto ring = patch.ring(vertices[0]);
+  if (ring.empty()) return std::nullopt;
+  const std::size_t count = patch.is_border(vertices[0]) ? ring.size() - 1 : ring.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const Triangle t = {all[0], ring[k], ring[(k + 1) % ring.size()]};
-    if (std::all_of(all.begin(), all.end(),
+    const Triangle t = {vertices[0], ring[k], ring[(k + 1) % ring.size()]};
+    if (std::all_of(vertices.begin(), vertices.end(),
                     [&](Index v) { return std::find(t.begin(), t.end(), v) != t.end(); }))
       return t;
   }
   return std::nullopt;
 }
 
+std::optional<Triangle> shared_triangle(const Patch& patch, const SurfacePoint& a,
+                                        const SurfacePoint& b) {
+  std::vector<Index> all = carriers_of(a);
+  for (const Index v : carriers_of(b)) {
+    if (std::find(all.begin(), all.end(), v) == all.end()) all.push_back(v);
+  }
+  return triangle_with(patch, all);
+}
+
 std::optional<SurfacePoint> point_between(const Patch& patch, const SurfacePoint& a,
                                           const SurfacePoint& b, double share) {
-  const auto triangle = common_triangle(patch, a, b);
+  const auto triangle = shared_triangle(patch, a, b);
   if (!triangle) return std::nullopt;
   SurfacePoint point{*triangle, {0.0, 0.0, 0.0}};
   for (const auto& [end, part] : {std::pair{&a, 1.0 - share}, std::pair{&b, share}}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <planish/mesh/patch.h>
@@ -11,12 +12,14 @@ namespace planish {
 /// The vertices whose triangles all hold a point.
 std::vector<Index> carriers_of(const SurfacePoint& point);
 
+/// A triangle that has all of these vertices, which begins with the first of them.
+std::optional<Triangle> triangle_with(const Patch& patch, std::span<const Index> vertices);
+
 /// A triangle that holds both points.
-std::optional<Triangle> common_triangle(const Patch& patch, const SurfacePoint& a,
+std::optional<Triangle> shared_triangle(const Patch& patch, const SurfacePoint& a,
                                         const SurfacePoint& b);
 
-/// The point between two that lie on one triangle; nothing where they do not.
-/// @param share of the way from a to b
+/// The place on the straight way from one point to another on one triangle, a share of it along.
 std::optional<SurfacePoint> point_between(const Patch& patch, const SurfacePoint& a,
                                           const SurfacePoint& b, double share);
 

@@ -16,7 +16,8 @@ Vec2 product(Vec2 a, Vec2 b) {
 
 // Places are complex numbers z, partners w, from the mean of all. Of the mirrorings w -> u conj(w)
 // with |u| = 1 the one that brings the partners nearest to the places has u along the sum of z w.
-std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2> partners) {
+std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2> partners,
+                                 std::span<const double> shares) {
   NeumaierSum x, y;
   for (std::size_t i = 0; i < places.size(); ++i) {
     x.add(places[i].x + partners[i].x);
@@ -35,7 +36,7 @@ std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2>
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec2 w = partners[i] - middle;
     const Vec2 mirrored = middle + product(turn, {w.x, 0.0 - w.y});
-    places[i] = places[i] + 0.5 * (mirrored - places[i]);
+    places[i] = places[i] + shares[i] * (mirrored - places[i]);
   }
   return places;
 }

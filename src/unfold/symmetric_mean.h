@@ -7,10 +7,11 @@
 
 namespace planish {
 
-/// One side of the symmetric layout that is nearest to one which is nearly so: the mean of each
-/// place and of its partner's mirror image in the line that suits all. What is its own partner
-/// comes to lie on that line.
+/// A symmetric layout near one which is nearly so: the mean of each place and of its partner's
+/// mirror image in the line that suits all. What is its own partner comes to lie on that line.
 /// @param partners of the places on the other side, one for each
-std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2> partners);
+/// @param shares of the partners in the means, 0 to 1; with that of the partner itself it is 1
+std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2> partners,
+                                 std::span<const double> shares);
 
 }  // namespace planish

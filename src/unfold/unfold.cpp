@@ -239,30 +239,50 @@ std::vector<Vec2> in_disk_units(const Disk& disk, std::span<const Vec2> position
   return flat;
 }
 
-/// Of each vertex of the disk the one at its mirror image; empty where it is not symmetric.
-std::vector<std::size_t> images_in(const Patch& patch, const Disk& disk,
-                                   const std::optional<Plane>& plane) {
+/// The mirror images of a disk's vertices; empty where it has none.
+struct DiskImages {
+  std::vector<std::size_t> of = {};  ///< each vertex
+  std::vector<int> side = {};        ///< of the plane: 1 or -1, 0 on it
+};
+
+DiskImages images_in(const Patch& patch, const Disk& disk, const std::optional<Plane>& plane) {
   if (!plane) return {};
   const Symmetry symmetry = symmetry_in(patch, *plane);
   if (symmetry.image.empty()) return {};
   std::vector<std::size_t> number(patch.vertex_count(), 0);
   for (std::size_t v = 0; v < disk.vertex_count; ++v)
     number[disk.vertex_of[v]] = v;
-  std::vector<std::size_t> images;
-  images.reserve(disk.vertex_count);
-  for (std::size_t v = 0; v < disk.vertex_count; ++v)
-    images.push_back(number[symmetry.image[disk.vertex_of[v]]]);
+  DiskImages images;
+  for (const Index v : disk.vertex_of) {
+    const Index w = symmetry.image[v];
+    const double higher = height_over(symmetry.plane, patch.positions()[v]) -
+                          height_over(symmetry.plane, patch.positions()[w]);
+    images.of.push_back(number[w]);
+    // Both sides of a cut along the plane are at one place.
+    const bool is_above = higher > 0.0 || (higher == 0.0 && v < w);
+    images.side.push_back(v == w ? 0 : is_above ? 1 : -1);
+  }
   return images;
 }
 
-/// Steps are symmetric but for rounding and for what is open: the mean of both sides is so.
-std::vector<Vec2> with_images(std::vector<Vec2> flat, std::span<const std::size_t> images) {
-  if (images.empty()) return flat;
+/// Steps of a symmetric layout are symmetric but for rounding: the mean of both sides is so. Where
+/// that turns triangles over, as of a layout that is farther from it, one side and its mirror image
+/// are taken, if that does not.
+std::vector<Vec2> with_images(const Disk& disk, std::vector<Vec2> flat, const DiskImages& images) {
+  if (images.of.empty()) return flat;
   std::vector<Vec2> partners;
   partners.reserve(flat.size());
-  for (const std::size_t v : images)
+  for (const std::size_t v : images.of)
     partners.push_back(flat[v]);
-  return symmetric_mean(std::move(flat), partners);
+  const bool is_upright = all_upright(disk, flat);
+  for (const int kept : {0, 1, -1}) {
+    std::vector<double> shares(flat.size(), 0.5);
+    for (std::size_t v = 0; v < shares.size(); ++v)
+      shares[v] -= 0.5 * kept * images.side[v];
+    std::vector<Vec2> mean = symmetric_mean(flat, partners, shares);
+    if (!is_upright || all_upright(disk, mean)) return mean;
+  }
+  return flat;
 }
 
 /// How the whole of a half is unfolded as the options say of the half.
@@ -321,8 +341,9 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || options.limits.any() || !options.least_stretch;
   PartsOfJob parts(context);
+  const DiskImages images = images_in(patch, disk, options.symmetric_in);
   const Starts starts(patch, disk, pool);
-  std::vector<Vec2> start = starts.find();
+  std::vector<Vec2> start = with_images(disk, starts.find(), images);
   pool.stop_if_cancelled();
   std::unique_ptr<StretchSystem> system = make_system(disk, nullptr, pool);
   pool.stop_if_cancelled();
@@ -333,6 +354,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     const auto step = unfolding_steps(parts.next(0.5), k_step_of_stretch);
     if (auto open = starts.with_holes_open(options.max_iterations, step)) flat = *std::move(open);
   }
+  flat.flat = with_images(disk, std::move(flat.flat), images);
   // What follows has its own; both at once would take twice the memory.
   if (options.match_seams || bounds_edges) system.reset();
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
@@ -370,8 +392,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     flat = std::move(other);
   }
 
-  const std::vector<std::size_t> images = images_in(patch, disk, options.symmetric_in);
-  flat.flat = with_images(std::move(flat.flat), images);
+  flat.flat = with_images(disk, std::move(flat.flat), images);
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = border_crosses_itself(disk, flat.flat);
@@ -379,8 +400,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
     const double most = std::min(wanted, k_most_opened);
     if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {
-      flat.flat = with_images(std::move(open->flat), images);
-      pattern.overlaps = !images.empty() && border_crosses_itself(disk, flat.flat);
+      flat.flat = with_images(disk, std::move(open->flat), images);
+      pattern.overlaps = !images.of.empty() && border_crosses_itself(disk, flat.flat);
       pattern.opened = {open->crossings, in_model_units(disk, {open->largest_move, 0.0}).x,
                         disk.vertex_of[open->vertex]};
     }

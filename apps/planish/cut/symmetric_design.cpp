@@ -43,7 +43,10 @@ bool asks_for_symmetry(const Arguments& arguments) {
         "flag --symmetric does not go with --cut-along edges, as edges need not have mirror "
         "images");
   }
-  if (arguments.text("--cut") == "open") {
+  const std::vector<Field> lines = arguments.fields("--cut");
+  const bool opens = std::any_of(lines.begin(), lines.end(),
+                                 [](const Field& line) { return field_text(line) == "open"; });
+  if (opens) {
     throw UsageError(
         "flag --symmetric does not go with --cut open: name the lines, as --cut \"plane x=0\"");
   }
@@ -51,6 +54,9 @@ bool asks_for_symmetry(const Arguments& arguments) {
 }
 
 namespace {
+
+/// Of the diagonal: what is nearer is equal.
+constexpr double k_rounding = 1e-9;
 
 /// "3.1 mm (0.35 % of its diagonal)"
 std::string distance_text(double distance, const TriMesh& mesh, const ShownLengths& lengths) {
@@ -73,19 +79,19 @@ TriMesh together(std::span<const TriMesh> pieces) {
   return all;
 }
 
-/// The lines on another surface near the one that they are on.
-RequestedLines laid_on(const Patch& patch, const RequestedLines& asked,
-                       std::span<const Vec3> positions) {
+/// Parts of lines, on another surface near the one that they are on.
+RequestedLines laid_on(const Patch& patch, std::span<const MirroredLine> parts,
+                       const RequestedLines& asked, std::span<const Vec3> positions) {
   RequestedLines laid;
   laid.notes = asked.notes;
-  for (std::size_t k = 0; k < asked.lines.size(); ++k) {
-    DrawnLine drawn{{}, asked.places[k]};
-    for (const SurfacePoint& place : asked.lines[k])
+  for (const MirroredLine& part : parts) {
+    DrawnLine drawn{{}, asked.places[part.of]};
+    for (const SurfacePoint& place : part.line)
       drawn.points.push_back(position_of(place, positions));
     for (SurfaceLine& line : trace_lines(patch, {{std::move(drawn)}, {}}).lines) {
       laid.lines.push_back(std::move(line));
-      laid.names.push_back(asked.names[k]);
-      laid.places.push_back(asked.places[k]);
+      laid.names.push_back(asked.names[part.of]);
+      laid.places.push_back(asked.places[part.of]);
     }
   }
   return laid;
@@ -94,7 +100,6 @@ RequestedLines laid_on(const Patch& patch, const RequestedLines& asked,
 /// What is said of pieces and their mirror images; nothing of a single one that is exact.
 std::string pieces_text(std::span<const MirrorPiece> found, const TriMesh& mesh,
                         const ShownLengths& lengths) {
-  constexpr double k_rounding = 1e-9;  // of the diagonal
   std::size_t images = 0, across = 0;
   double farthest = 0.0;
   std::vector<std::string> alone;
@@ -107,9 +112,14 @@ std::string pieces_text(std::span<const MirrorPiece> found, const TriMesh& mesh,
   const bool is_exact = farthest <= k_rounding * bounding_box_diagonal(mesh);
   std::vector<std::string> parts;
   if (found.size() > 1) {
-    parts.push_back(counted(images, "piece") + (images == 1 ? " gets" : " get") +
-                    " the mirrored pattern of another one, " + std::to_string(across) +
-                    (across == 1 ? " is its" : " are their") + " own mirror image");
+    if (images > 0) {
+      parts.push_back(counted(images, "piece") + (images == 1 ? " gets" : " get") +
+                      " the mirrored pattern of another one");
+    }
+    if (across > 0) {
+      parts.push_back(counted(across, "piece") + (across == 1 ? " is its" : " are their") +
+                      " own mirror image");
+    }
   } else if (across == 1 && !is_exact) {
     parts.emplace_back("one half stands for both");
   }
@@ -142,8 +152,11 @@ SymmetricDesign::SymmetricDesign(const TriMesh& mesh, const std::string& path,
   // Half of what is named is enough where it is to stand for both.
   if (asked == "auto" || !arguments.has("--mirror-surface")) require_symmetric(patch, symmetry);
   side_ = greater_side(mesh, plane_);
-  session.note(path + ": symmetric in " + plane_text(plane_in_file()) + ", but for at most " +
-               distance_text(symmetry.largest, mesh, ShownLengths(unit_from(arguments))));
+  const bool is_exact = symmetry.largest <= k_rounding * bounding_box_diagonal(mesh);
+  const ShownLengths lengths(unit_from(arguments));
+  session.note(path + ": symmetric in " + plane_text(plane_in_file()) + ": its sides " +
+               (is_exact ? "are equal"
+                         : "differ by at most " + distance_text(symmetry.largest, mesh, lengths)));
 }
 
 Plane SymmetricDesign::plane_in_file() const {
@@ -157,7 +170,8 @@ TriMesh SymmetricDesign::surface_for(RequestedLines& asked) {
               .drawn_side.value_or(side_);
   if (!arguments_.has("--mirror-surface")) return mesh_;
   TriMesh whole = symmetric_mesh(Patch(mesh_), plane_, side_).mesh;
-  asked = laid_on(Patch(as_in_file(whole, arguments_)), asked, in_file.positions());
+  const auto parts = lines_on_side(in_file, asked.lines, here.plane, side_);
+  asked = laid_on(Patch(as_in_file(whole, arguments_)), parts, asked, in_file.positions());
   return whole;
 }
 

@@ -32,7 +32,7 @@ class SymmetricDesign {
 
   /// The design itself, or with --mirror-surface the half with more lines, or else more area, and
   /// its mirror image.
-  /// @param asked the lines, on the design; on the result from then on
+  /// @param asked the lines, on the design; on the result from then on, those of its half
   TriMesh surface_for(RequestedLines& asked);
 
   /// The lines with their mirror images.

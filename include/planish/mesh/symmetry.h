@@ -87,6 +87,11 @@ struct SymmetricLines {
   std::optional<MirrorSide> drawn_side = {};
 };
 
+/// What of lines lies on one side of a plane, or along it as symmetric_lines() takes that.
+/// @throws Error as plane_section()
+std::vector<MirroredLine> lines_on_side(const Patch& patch, std::span<const SurfaceLine> lines,
+                                        const Plane& plane, MirrorSide side);
+
 /// Adds the mirror images of lines. What lies along the plane, nearer than half a mean edge, is put
 /// on it and is there once; lines that cross it are divided. Lines that have a counterpart on the
 /// other side within the tolerance get no second one: where the mesh has vertex images the mirror

@@ -50,8 +50,8 @@ struct UnfoldOptions {
   /// pattern is the half of that: the stretch is straight in it. Elsewhere it is idle.
   std::optional<std::array<Index, 2>> fold = {};
   /// The pattern of a patch that is symmetric in this plane vertex by vertex (Symmetry::image) is
-  /// its own mirror image, to rounding. Idle for others, and with a fold, which has a plane of its
-  /// own.
+  /// its own mirror image, to rounding, where that turns no triangle over. Idle for others, and
+  /// with a fold, which has a plane of its own.
   std::optional<Plane> symmetric_in = {};
 };
 

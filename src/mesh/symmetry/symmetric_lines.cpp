@@ -364,6 +364,15 @@ void add(std::vector<MirroredLine>& lines, std::span<const LinePart> parts) {
 
 }  // namespace
 
+std::vector<MirroredLine> lines_on_side(const Patch& patch, std::span<const SurfaceLine> lines,
+                                        const Plane& plane, MirrorSide side) {
+  const DividedLines parts = divided(patch, lines, plane);
+  std::vector<MirroredLine> result;
+  add(result, parts.on_plane);
+  add(result, side == MirrorSide::above ? parts.above : parts.below);
+  return result;
+}
+
 SymmetricLines symmetric_lines(const Patch& patch, std::span<const SurfaceLine> lines,
                                const Symmetry& symmetry, double tolerance) {
   constexpr double k_more = 1.0 + 1e-6;

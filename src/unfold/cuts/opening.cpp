@@ -166,7 +166,7 @@ void Opening::open_along(const EssentialPath& way, const Context& context) {
 }
 
 void Opening::cut_creases(double least_hinge) {
-  cut(crease_cuts(patch_, least_hinge));
+  cut(inner_chains(patch_, crease_cuts(patch_, least_hinge)));
 }
 
 void Opening::open_handles(const Context& context) {

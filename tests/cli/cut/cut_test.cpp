@@ -222,6 +222,53 @@ TEST_F(Cut, TakesPlanesCreasesAndACutGraph) {
   EXPECT_THAT(error_of("creases 0"), HasSubstr("--cut creases"));
 }
 
+TEST_F(Cut, OpensEveryPartOfAnyTopology) {
+  const TriMesh ring = meshes::torus(12, 24);
+  write_mesh("two.obj", meshes::side_by_side(ring, meshes::tube(8, 3)));
+  const CliResult two = planish({"flatten", "two.obj", "-o", "out", "--formats", "svg", "--unit",
+                                 "cm", "--cut", "open", "--json"});
+  EXPECT_EQ(two.exit_code, k_exit_done) << two.err;
+  EXPECT_THAT(two.err, HasSubstr("--cut open: cut along 2 lines, "));
+  const auto patches = two.json()["patches"];
+  ASSERT_EQ(patches.size(), 2U);
+  for (const auto& patch : patches) {
+    EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
+    EXPECT_FALSE(patch["unfold"]["overlaps"]);
+  }
+  write_mesh("ring.obj", ring);
+  const CliResult along = planish(
+      {"unfold", "ring.obj", "-o", "a.obj", "--cut", "open", "--cut-along", "edges", "--json"});
+  EXPECT_EQ(along.exit_code, k_exit_done) << along.err;
+  EXPECT_EQ(read_mesh("a.obj").mesh.triangles.size(), ring.triangles.size());
+  const CliResult as_is = planish({"unfold", "ring.obj", "-o", "a.obj"});
+  EXPECT_EQ(as_is.exit_code, k_exit_failed);
+  EXPECT_THAT(as_is.err, HasSubstr("--cut open"));
+}
+
+TEST_F(Cut, OpensWhatOtherLinesLeave) {
+  write_mesh("ring.obj", meshes::torus(12, 24));
+  const CliResult result =
+      planish({"flatten", "ring.obj", "-o", "out", "--formats", "svg", "--unit", "cm", "--cut",
+               "plane x=0", "--cut", "open", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_EQ(result.json()["patches"].size(), 2U);
+}
+
+TEST_F(Cut, GoesRoundWhatIsToBeAvoided) {
+  const auto length_of = [](const Names& more) {
+    Names args = {"unfold", "tube.obj", "-o", "a.svg", "--cut", "open", "--json"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args).json()["cut"]["length"].get<double>();
+  };
+  EXPECT_NEAR(length_of({}), 5.0, 1e-9);
+  // A ring around the tube but for one place.
+  write_text("avoid.txt", "24 25 26 27 28 29 30 31 32 33 34\n");
+  EXPECT_NEAR(length_of({"--avoid", "avoid.txt"}), 5.0, 1e-9);
+  const CliResult idle = planish({"unfold", "tube.obj", "-o", "a.svg", "--avoid", "avoid.txt"});
+  EXPECT_EQ(idle.exit_code, k_exit_usage);
+  EXPECT_THAT(idle.err, HasSubstr("it needs --cut open"));
+}
+
 TEST_F(Cut, NumbersTheSidesOfADart) {
   ASSERT_EQ(flatten_with("hill.obj", {"--cut", "dart.txt", "--unit", "cm"}).exit_code, k_exit_done);
   const std::string sheet = content_of("out/pattern.svg");

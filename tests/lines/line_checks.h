@@ -100,6 +100,17 @@ inline double border_length(const Patch& patch) {
   return length;
 }
 
+/// Points at which a line turns by more than 10 degrees.
+inline std::size_t corners_of(const std::vector<Vec3>& line) {
+  constexpr double cosine = 0.984807753012208;
+  std::size_t corners = 0;
+  for (std::size_t i = 2; i < line.size(); ++i) {
+    const Vec3 before = line[i - 1] - line[i - 2], after = line[i] - line[i - 1];
+    corners += dot(before, after) < cosine * norm(before) * norm(after);
+  }
+  return corners;
+}
+
 /// Which edges are parts of lines, or of edges of the mesh.
 class GivenEdges {
  public:
@@ -229,7 +240,9 @@ inline std::string wrong_paths(const TriMesh& mesh, std::span<const SurfaceLine>
     if (beside > 1e-5) return name + " was led elsewhere, by " + std::to_string(apart / scale);
     const double length = length_of(drawn), now = length_of(made);
     if (length < 50.0 * imprinted.farthest_snap) continue;  // snapping decides about these
-    const double differs = std::abs(now - length) - 2.0 * imprinted.farthest_snap;
+    // Where an end or a corner is moved, the pieces beside it are longer or shorter by that.
+    const auto moved = static_cast<double>(1 + corners_of(drawn));
+    const double differs = std::abs(now - length) - 2.0 * moved * imprinted.farthest_snap;
     if (length > 0.0) figures.stretch = std::max(figures.stretch, differs / length);
     if (differs > 1e-3 * length + 1e-9 * scale)
       return name + " has another length: " + std::to_string(now / length - 1.0);

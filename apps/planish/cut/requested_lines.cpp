@@ -72,10 +72,11 @@ std::vector<std::string> values_of(const std::string& text) {
   return values;
 }
 
+/// Lines of one value: each gets its number, where there are several.
 void add(RequestedLines& all, std::vector<SurfaceLine> lines, const std::string& name) {
-  for (SurfaceLine& line : lines) {
-    all.lines.push_back(std::move(line));
-    all.names.push_back(name);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    all.lines.push_back(std::move(lines[k]));
+    all.names.push_back(name + (lines.size() > 1 ? " (" + std::to_string(k + 1) + ")" : ""));
     all.places.emplace_back();
   }
 }
@@ -125,8 +126,7 @@ void add_rings(RequestedLines& all, const Patch& patch) {
                 "in \"ring 0,0,1\"");
   }
   all.notes.push_back("--cut rings: found " + counted(lines.size(), "narrow ring"));
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    add(all, {std::move(lines[k])}, "ring " + std::to_string(k + 1));
+  add(all, std::move(lines), "rings");
 }
 
 void add_listed(RequestedLines& all, const Patch& patch, const std::string& numbers,

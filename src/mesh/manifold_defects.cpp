@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mesh/edge_sides.h"
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 

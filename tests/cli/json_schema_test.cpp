@@ -36,11 +36,11 @@ class JsonSchema : public CliTest {
   }
 };
 
-const Names k_svg = {"--formats", "svg"};
+const Names k_svg_only = {"--formats", "svg"};
 
 Names quick_flatten(const std::string& input, const std::string& folder, const Names& more = {}) {
   Names args = {"flatten", input, "-o", folder};
-  args.insert(args.end(), k_svg.begin(), k_svg.end());
+  args.insert(args.end(), k_svg_only.begin(), k_svg_only.end());
   args.insert(args.end(), more.begin(), more.end());
   return args;
 }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/job.h"
+#include "mesh/match/mesh_walk.h"
 #include "mesh/match/rigid_fit.h"
-#include "mesh/mesh_walk.h"
 
 namespace planish {
 

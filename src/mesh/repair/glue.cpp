@@ -9,7 +9,7 @@
 #include "mesh/edge_sides.h"
 #include "mesh/repair/border_places.h"
 #include "mesh/repair/sheets.h"
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 

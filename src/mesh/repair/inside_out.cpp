@@ -9,7 +9,7 @@
 #include <planish/mesh/seams.h>
 
 #include "mesh/repair/sheets.h"
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 
 #include "mesh/edge_sides.h"
 #include "mesh/repair/repaired.h"
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 

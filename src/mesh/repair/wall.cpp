@@ -15,7 +15,7 @@
 #include "mesh/repair/facing.h"
 #include "mesh/repair/repaired.h"
 #include "mesh/repair/sheets.h"
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 

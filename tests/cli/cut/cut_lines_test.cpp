@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-void write_text(const std::string& path, const std::string& text) {
+void write_drawing(const std::string& path, const std::string& text) {
   std::ofstream(path) << text;
 }
 
@@ -119,7 +119,7 @@ TEST_F(CutLines, FollowTheTextureAndTheMaterials) {
   std::string text = "v 0 0 0\nv 4 0 0\nv 8 0 0\nv 0 4 0\nv 4 4 0\nv 8 4 1\n";
   text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 0\nvt 6 0\nvt 6 1\nvt 5 1\n";
   text += "usemtl a\nf 1/1 2/2 5/3 4/4\nusemtl b\nf 2/5 3/6 6/7 5/8\n";
-  write_text("two.obj", text);
+  write_drawing("two.obj", text);
   for (const char* kind : {"uv", "groups", "materials"}) {
     const CliResult result = unfolded("two.obj", {kind}, {"--divide", "parts", "--keep-small"});
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
@@ -133,11 +133,11 @@ TEST_F(CutLines, AreDrawnOnThePattern) {
   std::string svg = content_of("pattern.svg");
   svg.insert(svg.rfind("</svg>"),
              "<g id=\"mine\"><path d=\"M 0 60 L 600 60\" stroke=\"black\" fill=\"none\"/></g>");
-  write_text("drawn.svg", svg);
+  write_drawing("drawn.svg", svg);
   const CliResult result = unfolded("sheet.obj", {"drawn.svg"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_EQ(result.json()["patches"].size(), 2U) << result.err;
-  write_text("other.svg", content_of("pattern.svg"));
+  write_drawing("other.svg", content_of("pattern.svg"));
   EXPECT_THAT(unfolded("sheet.obj", {"other.svg"}).err, HasSubstr("draw on a layer of your own"));
 }
 

@@ -56,16 +56,16 @@ double asymmetry(const TriMesh& surface, const TriMesh& flat, double x) {
   return largest;
 }
 
-CliResult flatten_with(const std::string& input, const Names& more) {
+CliResult flatten_symmetric(const std::string& input, const Names& more) {
   Names args = {"flatten", input, "-o", "out", "--formats", "svg"};
   args.insert(args.end(), more.begin(), more.end());
   return planish(args);
 }
 
 TEST_F(Symmetric, MirrorsADart) {
-  const auto one = flatten_with("hill.obj", {"--json", "--cut", "dart.obj"}).json();
+  const auto one = flatten_symmetric("hill.obj", {"--json", "--cut", "dart.obj"}).json();
   const CliResult result =
-      flatten_with("hill.obj", {"--json", "--cut", "dart.obj", "--symmetric", "auto"});
+      flatten_symmetric("hill.obj", {"--json", "--cut", "dart.obj", "--symmetric", "auto"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err, HasSubstr("hill.obj: symmetric in x=6: its sides are equal"));
   const auto both = result.json();
@@ -75,7 +75,7 @@ TEST_F(Symmetric, MirrorsADart) {
 
 TEST_F(Symmetric, GivesTwinsTheMirroredPattern) {
   const CliResult result =
-      flatten_with("hill.obj", {"--json", "--cut", "across.obj", "--symmetric", "x=6"});
+      flatten_symmetric("hill.obj", {"--json", "--cut", "across.obj", "--symmetric", "x=6"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err,
               HasSubstr("1 piece gets the mirrored pattern of another one; 1 piece is its"));
@@ -95,7 +95,7 @@ TEST_F(Symmetric, GivesTwinsTheMirroredPattern) {
 }
 
 TEST_F(Symmetric, EvolvesBothSidesAlike) {
-  const CliResult result = flatten_with(
+  const CliResult result = flatten_symmetric(
       "hill.obj", {"--json", "--cut", "dart.obj", "--symmetric", "auto", "--max-rms-strain", "1%"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_LE(asymmetry(flat_of("out/processed.obj"), flat_of("out/flat.obj"), 6.0), 1e-9);
@@ -124,8 +124,8 @@ TEST_F(Symmetric, SaysByHowMuchAModelIsNot) {
 }
 
 TEST_F(Symmetric, PutsOneHalfInThePlaceOfTheOther) {
-  const CliResult result =
-      flatten_with("bumpy.obj", {"--cut", "dart.obj", "--symmetric", "x=6", "--mirror-surface"});
+  const CliResult result = flatten_symmetric(
+      "bumpy.obj", {"--cut", "dart.obj", "--symmetric", "x=6", "--mirror-surface"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   const TriMesh surface = flat_of("out/processed.obj");
   EXPECT_LE(asymmetry(surface, flat_of("out/flat.obj"), 6.0), 1e-9);
@@ -149,7 +149,7 @@ TEST_F(Symmetric, RefusesWhatMakesNoSense) {
   EXPECT_THAT(error_of({"--symmetric", "auto", "--cut", "dart.obj", "--cut-along", "edges"}),
               HasSubstr("--cut-along edges"));
   write_mesh("two.obj", meshes::side_by_side(meshes::fan(6), meshes::fan(6)));
-  const CliResult several = flatten_with("two.obj", {"--symmetric", "auto"});
+  const CliResult several = flatten_symmetric("two.obj", {"--symmetric", "auto"});
   EXPECT_EQ(several.exit_code, k_exit_usage);
   EXPECT_THAT(several.err, HasSubstr("--symmetric goes with one patch only"));
   EXPECT_EQ(planish({"unfold", "hill.obj", "-o", "a.svg", "--symmetric", "no"}).exit_code,

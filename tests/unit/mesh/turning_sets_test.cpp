@@ -1,4 +1,4 @@
-#include "mesh/repair/turning_sets.h"
+#include "mesh/turning_sets.h"
 
 #include <gtest/gtest.h>
 

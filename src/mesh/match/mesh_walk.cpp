@@ -1,4 +1,4 @@
-#include "mesh/mesh_walk.h"
+#include "mesh/match/mesh_walk.h"
 
 #include <algorithm>
 #include <cmath>

@@ -259,7 +259,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
     CutInput input = arguments.has("--cut")
                          ? cut_along_lines(std::move(mesh), &symmetric, path, arguments, session)
                          : CutInput{symmetric.surface_for(none)};
-    input.mesh = symmetric.with_symmetric_pieces(std::move(input.mesh));
+    input.mesh = symmetric.with_symmetric_pieces(input.mesh);
     input.symmetric_in = symmetric.plane();
     return input;
   });

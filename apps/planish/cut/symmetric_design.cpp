@@ -189,7 +189,7 @@ RequestedLines SymmetricDesign::with_images(RequestedLines asked, const TriMesh&
   return all;
 }
 
-TriMesh SymmetricDesign::with_symmetric_pieces(TriMesh cut) const {
+TriMesh SymmetricDesign::with_symmetric_pieces(const TriMesh& cut) const {
   std::vector<TriMesh> pieces;
   for (NamedPatch& piece : split(cut, ""))
     pieces.push_back(std::move(piece.mesh));

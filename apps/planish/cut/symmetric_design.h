@@ -40,7 +40,7 @@ class SymmetricDesign {
   RequestedLines with_images(RequestedLines asked, const TriMesh& surface) const;
 
   /// The mesh, cut open, with the mirror images of its pieces in place of their twins.
-  TriMesh with_symmetric_pieces(TriMesh cut) const;
+  TriMesh with_symmetric_pieces(const TriMesh& cut) const;
 
  private:
   /// In the coordinates of the file, in which lines are.

@@ -182,7 +182,7 @@ std::vector<Vec3> first_normals(const SurfaceMoments& moments) {
     axes[static_cast<std::size_t>(k)] = {axis[0], axis[1], axis[2]};
     normals.push_back(axes[static_cast<std::size_t>(k)]);
   }
-  const auto moment = solver.eigenvalues();
+  const auto& moment = solver.eigenvalues();
   const auto are_alike = [&](int k) { return moment[k + 1] - moment[k] <= k_distinct * moment[2]; };
   if (are_alike(0)) add_between(normals, axes[0], axes[1]);
   if (are_alike(1)) add_between(normals, axes[1], axes[2]);

@@ -135,7 +135,8 @@ TriMesh without_crumbs(const TriMesh& mesh) {
       parts.begin(), parts.end(),
       [](const NamedPatch& a, const NamedPatch& b) { return area_of(a.mesh) < area_of(b.mesh); });
   const bool has_more = area_of(largest->mesh) < (1.0 - k_crumbs) * area_of(mesh);
-  return has_more ? mesh : std::move(largest->mesh);
+  if (has_more) return mesh;
+  return std::move(largest->mesh);
 }
 
 bool is_exactly_across(const TriMesh& mesh, const Plane& plane) {

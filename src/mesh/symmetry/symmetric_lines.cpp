@@ -69,14 +69,14 @@ class LineDivider {
     std::vector<LinePoint> points;
     for (const SurfacePoint& place : line) {
       const double height = height_over(plane_, position_of(place, patch_.positions()));
-      LinePoint point{place, std::abs(height) <= on_plane_ ? 0.0 : height};
+      const LinePoint point{place, std::abs(height) <= on_plane_ ? 0.0 : height};
       if (!points.empty() && points.back().height * point.height < 0.0) {
         const double before = points.back().height;
         const auto crossing =
             point_between(patch_, points.back().place, place, before / (before - point.height));
         if (crossing) points.push_back({*crossing, 0.0});
       }
-      points.push_back(std::move(point));
+      points.push_back(point);
     }
     return points;
   }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lays every mesh file of some folders flat and prints, for each folder, how many got a pattern.
 
-    tools/topology_table.py PLANISH FOLDER... [--seconds 180] [--list FILE] [--keep FOLDER]
+    tools/topology_table.py PLANISH FOLDER... [--seconds 180] [--most 300000] [--list FILE]
 
 Each file (.obj, .ply, .stl, .off) is given to `planish flatten`, and where that is refused or
 overlaps itself, to `planish flatten --cut open`. The flat meshes that were written are read again

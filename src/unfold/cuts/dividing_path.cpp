@@ -37,7 +37,7 @@ struct Division {
 class Divider {
  public:
   Divider(const Patch& patch, std::span<const Vec2> pattern, std::span<const double> weights)
-      : patch_(patch), outline_(outline_of(patch)), paths_(patch, weights) {
+      : outline_(outline_of(patch)), paths_(patch, weights) {
     const double scale = patch.unit_scale();
     for (std::size_t k = 0; k <= outline_.size(); ++k) {
       const Index v = outline_[k % outline_.size()];
@@ -99,7 +99,6 @@ class Divider {
     }
   }
 
-  const Patch& patch_;
   const std::vector<Index>& outline_;
   InsidePaths paths_;
   std::vector<double> along_;  // the outline, to each vertex and all around

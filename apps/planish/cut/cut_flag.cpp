@@ -104,6 +104,11 @@ class Cutter {
     std::vector<CutPath> cuts;
     for (const LinePath& line : kept.paths)
       cuts.push_back({line.vertices, asked_.places[line.line]});
+    if (cuts.empty() && !asked_.names.empty()) {
+      throw Error(ErrorCode::misplaced_cut,
+                  "--cut " + arguments_.text("--cut") +
+                      ": nothing is left to cut, as notes tell; --keep-small keeps small pieces");
+    }
     CutMesh opened = cut_open(whole, cuts);
     return {std::move(opened.mesh),
             CutOutcome{opened.edges, opened.length, imprinted.farthest_snap, kept.small.size()}};

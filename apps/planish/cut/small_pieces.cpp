@@ -56,6 +56,14 @@ class Pieces {
     return found->second;
   }
 
+  /// Whether it has edges, and all of them are of the border.
+  bool is_along_border(const std::vector<Index>& path) const {
+    bool is = path.size() > 1;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      is = is && !beside_.contains(ends_of(path[i - 1], path[i]));
+    return is;
+  }
+
   std::vector<std::size_t> lines_around(std::size_t piece) const {
     std::vector<std::size_t> around;
     for (const auto& [ends, pieces] : beside_) {
@@ -207,6 +215,7 @@ KeptPaths without_small_pieces(const Patch& patch, std::span<const LinePath> pat
     return a == b ? is_small[a] == 0 : groups.of(a) != groups.of(b);
   };
   for (const LinePath& path : paths) {
+    if (pieces.is_along_border(path.vertices)) kept.paths.push_back(path);
     std::vector<Index> run;
     for (std::size_t i = 1; i <= path.vertices.size(); ++i) {
       const bool goes_on =

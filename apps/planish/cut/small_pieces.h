@@ -35,7 +35,8 @@ struct KeptPaths {
 };
 
 /// Finds pieces below the limits, and leaves out the cuts between each and the neighbour with which
-/// it has the longest seam, smallest pieces first. What runs along the border is no cut.
+/// it has the longest seam, smallest pieces first. What of a line runs along the border is no cut;
+/// a line of which all does stays, to be refused.
 KeptPaths without_small_pieces(const Patch& patch, std::span<const LinePath> paths,
                                const SmallLimits& limits);
 

@@ -118,7 +118,9 @@ class Singler {
         if (end > begin) length += norm(places[end] - places[end - 1]);
         ++end;
       }
-      if (length >= k_least_stretch * tolerance_ && length > 0.0) {
+      // A line that is all along the border is left, to be refused where it is cut.
+      const bool is_border = !rail.line && begin == 0 && end == places.size();
+      if (length >= k_least_stretch * tolerance_ && length > 0.0 && !is_border) {
         std::fill(is_left_out.begin() + static_cast<std::ptrdiff_t>(begin),
                   is_left_out.begin() + static_cast<std::ptrdiff_t>(end), 1);
         result_.doubled.push_back({number, rail.line, length / scale_});

@@ -181,6 +181,51 @@ TEST(JoinLines, LeavesWhatIsFarAndWhatMeetsAlready) {
   EXPECT_TRUE(join_lines(patch, closed, 5.0).joined.empty());
 }
 
+TEST(SingleLines, LeaveOutWhatRunsBesideOthers) {
+  const Patch patch(meshes::flat_grid(20, 10));
+  const auto line = [&](std::vector<Vec3> points) { return traced(patch, {points}).at(0); };
+  const SingleLines single = single_lines(
+      patch,
+      {line({{0.0, 5.2, 0.0}, {20.0, 5.2, 0.0}}),
+       line({{2.0, 0.0, 0.0}, {8.0, 5.23, 0.0}, {14.0, 5.23, 0.0}, {19.0, 10.0, 0.0}}),
+       line({{3.0, 10.0, 0.0}, {7.0, 0.0, 0.0}}),
+       line({{10.0, 10.0, 0.0}, {10.0, 9.97, 0.0}, {18.0, 9.97, 0.0}, {18.0, 7.0, 0.0}})},
+      0.05);
+  EXPECT_EQ(single.of, (std::vector<std::size_t>{0, 1, 1, 2, 3}));
+  ASSERT_EQ(single.doubled.size(), 2U);
+  EXPECT_EQ(single.doubled[0].line, 1U);
+  EXPECT_EQ(single.doubled[0].beside, 0U);
+  EXPECT_NEAR(single.doubled[0].length, 6.0, 0.2);
+  EXPECT_EQ(single.doubled[1].line, 3U);
+  EXPECT_FALSE(single.doubled[1].beside);
+  // What is left ends beside the line that took its place, and is joined to it.
+  const JoinedLines joined = join_lines(patch, single.lines, 0.1);
+  EXPECT_EQ(joined.joined.size(), 3U);
+  expect_sound(imprint(patch, joined.lines), patch, joined.lines);
+}
+
+TEST(SingleLines, KeepWhatCrossesAndTheBorderItself) {
+  const Patch patch(meshes::flat_grid(20, 10));
+  std::vector<Index> border;
+  for (Index v = 0; v <= 20; ++v)
+    border.push_back(v);
+  const std::vector<SurfaceLine> lines = {
+      traced(patch, {{{0.0, 1.0, 0.0}, {20.0, 9.0, 0.0}}}).at(0),
+      traced(patch, {{{0.0, 9.0, 0.0}, {20.0, 1.0, 0.0}}}).at(0), line_along_edges(patch, border)};
+  const SingleLines single = single_lines(patch, lines, 0.05);
+  EXPECT_TRUE(single.doubled.empty());
+  EXPECT_EQ(single.lines.size(), 3U);
+}
+
+TEST(NearestPlace, IsTheFootOnTheMesh) {
+  const Patch patch(meshes::flat_grid(4, 4));
+  EXPECT_EQ(position_of(nearest_place(patch, {2.25, 1.5, 7.0}), patch.positions()),
+            (Vec3{2.25, 1.5, 0.0}));
+  EXPECT_EQ(position_of(nearest_place(patch, {-3.0, 1.0, 0.0}), patch.positions()),
+            (Vec3{0.0, 1.0, 0.0}));
+  EXPECT_THROW(nearest_place(patch, {std::nan(""), 0.0, 0.0}), Error);
+}
+
 TEST(Imprint, RefusesLinesThatAreNotOnTheMesh) {
   const Patch patch(meshes::flat_grid(4, 4));
   const SurfacePoint here = nearest_place(patch, {0.6, 0.3, 0.0}),

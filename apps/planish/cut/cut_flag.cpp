@@ -28,8 +28,8 @@ namespace planish::cli {
 std::vector<Flag> cut_flags() {
   Flag cut = {"--cut", "LINES",
               "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
-              "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", \"ring 0,0,1\", rings, \"creases "
-              "30deg\", uv, groups, or open: what any surface needs to lie flat; may be repeated"};
+              "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups, "
+              "or open: what any surface needs to lie flat; may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",

@@ -6,19 +6,23 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
 #include <planish/measure/flattenability.h>
+#include <planish/mesh/imprint.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
+#include <planish/mesh/surface_line.h>
 
 #include <benchmark/benchmark.h>
 
 #include "core/simd/arctangent.h"
 #include "evolve/state/spatial_order.h"
 #include "evolve/state/vertex_coloring.h"
+#include "geometry/box.h"
 #include "support/inner_rings.h"
 #include "support/sweeps.h"
 
@@ -178,6 +182,25 @@ void writer(benchmark::State& run, MeshFormat format) {
   run.SetBytesProcessed(run.iterations() * static_cast<std::int64_t>(bytes));
 }
 
+/// Ten planes through 200,000 triangles.
+void imprinting(benchmark::State& run) {
+  static const Patch patch(make_shape("panel", 100'000));
+  constexpr int planes = 10;
+  Box box;
+  for (const Vec3 p : patch.positions())
+    box.add(p);
+  std::vector<SurfaceLine> lines;
+  for (int k = 0; k < planes; ++k) {
+    const Vec3 place = box.low + (0.25 + 0.05 * k) * (box.high - box.low);
+    const Vec3 normal = k % 2 == 0 ? Vec3{0.07 * k, 1.0, 0.2} : Vec3{1.0, 0.1 * k, 0.0};
+    for (SurfaceLine& line : plane_section(patch, {normal, dot(normal, place)}))
+      lines.push_back(std::move(line));
+  }
+  for (auto _ : run)
+    benchmark::DoNotOptimize(imprint(patch, lines));
+  run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(patch.triangles().size()));
+}
+
 BENCHMARK(plain_sweep)->Unit(benchmark::kMillisecond);
 BENCHMARK(controllable_sweep)->Unit(benchmark::kMillisecond)->Apply([](auto* bench) {
   for (const Isa isa : available_isas())
@@ -196,6 +219,7 @@ BENCHMARK(order_along_curve)->Unit(benchmark::kMillisecond);
 BENCHMARK(connectivity)->Unit(benchmark::kMillisecond);
 BENCHMARK(inspection)->Unit(benchmark::kMillisecond);
 BENCHMARK(measuring)->Unit(benchmark::kMillisecond);
+BENCHMARK(imprinting)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reader, obj, MeshFormat::obj)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reader, ply, MeshFormat::ply)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(writer, obj, MeshFormat::obj)->Unit(benchmark::kMillisecond);

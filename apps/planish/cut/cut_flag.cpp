@@ -170,12 +170,25 @@ class Cutter {
   RequestedLines asked_;
 };
 
+/// The lists of vertices that stand for a file: of a caller, or as they were typed.
+std::optional<Rows> listed_rows(const Arguments& arguments) {
+  if (arguments.rows.contains("--cut")) return arguments.rows_of("--cut");
+  Rows rows{"--cut", {}};
+  for (const Field& field : arguments.flags.at("--cut")) {
+    const std::string text = field_text(field);
+    if (text.find_first_not_of("0123456789 ,\t") != std::string::npos) return std::nullopt;
+    for (Row& row : parse_rows(text, "--cut").rows)
+      rows.rows.push_back({std::move(row.fields), rows.rows.size() + 1});
+  }
+  return rows;
+}
+
 /// Cuts along edges between vertices of the mesh.
 CutInput cut_along_edges(const TriMesh& mesh, const Arguments& arguments, Session& session) {
   const std::string file = arguments.text("--cut");
-  const CutLines along = arguments.rows.contains("--cut")
-                             ? cuts_in(arguments.rows_of("--cut"), mesh)
-                             : read_cuts(path_of(file), as_in_file(mesh, arguments));
+  const std::optional<Rows> listed = listed_rows(arguments);
+  const CutLines along = listed ? cuts_in(*listed, mesh)
+                                : read_cuts(path_of(file), as_in_file(mesh, arguments));
   if (along.farthest > 0.0) {
     session.note(file + ": what is drawn is at most " +
                  ShownLengths(unit_from(arguments)).text(scale_from(arguments) * along.farthest) +

@@ -171,6 +171,14 @@ class Values(unittest.TestCase):
         np.testing.assert_array_equal(result.uv, cuts.uv)
         self.assertTrue(result.notes[0].startswith("cut: cut open along"), result.notes)
 
+    def test_cuts_by_words(self):
+        cylinder = planish.sample("cylinder", vertices=400)
+        one = planish.unfold(cylinder, cut="line 0 209")
+        several = planish.unfold(cylinder, cut=["line 0 209"])
+        rows = planish.unfold(cylinder, cut=[[0, 209]])
+        np.testing.assert_array_equal(one.uv, several.uv)
+        np.testing.assert_array_equal(one.uv, rows.uv)
+
 
 if __name__ == "__main__":
     unittest.main()

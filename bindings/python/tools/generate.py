@@ -58,7 +58,7 @@ LEFT_OUT_OF = {
     **dict.fromkeys(["unfold", "compare", "suggest_cuts", "evolve"], READING),
     "flatten_product": {
         name: "of one patch"
-        for name in "cut cut_along smooth_lines fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
+        for name in "cut cut_along smooth_lines keep_small fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
     },
     "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps", **READING},
 }

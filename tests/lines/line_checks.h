@@ -243,7 +243,7 @@ inline std::string wrong_paths(const TriMesh& mesh, std::span<const SurfaceLine>
     // Where an end or a corner is moved, the pieces beside it are longer or shorter by that.
     const auto moved = static_cast<double>(1 + corners_of(drawn));
     const double differs = std::abs(now - length) - 2.0 * moved * imprinted.farthest_snap;
-    if (length > 0.0) figures.stretch = std::max(figures.stretch, differs / length);
+    if (length > 1e-6 * scale) figures.stretch = std::max(figures.stretch, differs / length);
     if (differs > 1e-3 * length + 1e-9 * scale)
       return name + " has another length: " + std::to_string(now / length - 1.0);
   }

@@ -2,12 +2,12 @@
 
 // Lines of many kinds on any mesh, at random.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -51,8 +51,9 @@ std::string_view way_on(ErrorCode code) {
       return "Divide the band in the program that made it, and take one part after the other with "
              "--only NAME";
     case ErrorCode::closed_surface:
-      return "Cut it open with --cut open, or along lines of your own with --cut FILE; of a wall "
-             "take --side outer; leave a piece out with --without NAME";
+      return "Cut it open with --cut open, or along lines of your own with --cut FILE (planish "
+             "suggest-cuts finds where); of a wall take --side outer; leave a piece out with "
+             "--without NAME";
     case ErrorCode::open_surface:
       return "Close it in the program that made it, or leave --obstacle out";
     case ErrorCode::several_components:

@@ -53,7 +53,7 @@ struct Patch {
     const int k = tri[0] == v ? 0 : tri[1] == v ? 1 : 2;
     const Vec3 at = mesh.positions[v];
     return plain::angle_between(mesh.positions[tri[(k + 1) % 3]] - at,
-                         mesh.positions[tri[(k + 2) % 3]] - at);
+                                mesh.positions[tri[(k + 2) % 3]] - at);
   }
 
   double angle_sum(Index v) const {
@@ -155,7 +155,7 @@ struct Patch {
         const Triangle& tri = mesh.triangles[t];
         const int k = tri[0] == w ? 0 : tri[1] == w ? 1 : 2;
         defect = defect - plain::angle_between(place(tri[(k + 1) % 3]) - place(w),
-                                        place(tri[(k + 2) % 3]) - place(w));
+                                               place(tri[(k + 2) % 3]) - place(w));
       }
       defects.push_back(defect);
     }

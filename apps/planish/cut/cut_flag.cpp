@@ -26,10 +26,11 @@
 namespace planish::cli {
 
 std::vector<Flag> cut_flags() {
-  Flag cut = {"--cut", "LINES",
-              "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
-              "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups, "
-              "or open: what any surface needs to lie flat; may be repeated"};
+  Flag cut = {
+      "--cut", "LINES",
+      "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
+      "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups or "
+      "open; may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
@@ -187,8 +188,8 @@ std::optional<Rows> listed_rows(const Arguments& arguments) {
 CutInput cut_along_edges(const TriMesh& mesh, const Arguments& arguments, Session& session) {
   const std::string file = arguments.text("--cut");
   const std::optional<Rows> listed = listed_rows(arguments);
-  const CutLines along = listed ? cuts_in(*listed, mesh)
-                                : read_cuts(path_of(file), as_in_file(mesh, arguments));
+  const CutLines along =
+      listed ? cuts_in(*listed, mesh) : read_cuts(path_of(file), as_in_file(mesh, arguments));
   if (along.farthest > 0.0) {
     session.note(file + ": what is drawn is at most " +
                  ShownLengths(unit_from(arguments)).text(scale_from(arguments) * along.farthest) +
@@ -275,7 +276,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
     SymmetricDesign symmetric(mesh, path, arguments, session);
     RequestedLines none;
     CutInput input = arguments.has("--cut")
-                         ? cut_along_lines(std::move(mesh), &symmetric, path, arguments, session)
+                         ? cut_along_lines(mesh, &symmetric, path, arguments, session)
                          : CutInput{symmetric.surface_for(none)};
     input.mesh = symmetric.with_symmetric_pieces(input.mesh);
     input.symmetric_in = symmetric.plane();

@@ -75,7 +75,8 @@ struct SingleLines {
 
 /// Leaves out stretches of lines that run beside an earlier line or the border, nearer than the
 /// tolerance for at least six times it: two such seams would leave a strip that nobody can sew.
-/// A line that is all along the border stays. What is left is led on to the other line by join_lines().
+/// A line that is all along the border stays. What is left is led on to the other line by
+/// join_lines().
 /// @param tolerance model units
 SingleLines single_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
 

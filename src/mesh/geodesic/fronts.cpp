@@ -56,8 +56,7 @@ std::vector<double> distances_from(const Patch& patch, std::span<const Index> so
     queue.pop();
     if (done[v] != 0 || !half_edges.is_used(v)) continue;
     done[v] = 1;
-    half_edges.for_each_neighbor(
-        v, [&](Index w) { reach(w, distance[v] + norm(at(w) - at(v))); });
+    half_edges.for_each_neighbor(v, [&](Index w) { reach(w, distance[v] + norm(at(w) - at(v))); });
     half_edges.for_each_corner(v, [&](Index h) {
       const Index b = half_edges.to(h), c = half_edges.apex(h);
       for (const auto& [known, open] : {std::pair{b, c}, std::pair{c, b}}) {

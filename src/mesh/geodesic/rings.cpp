@@ -17,9 +17,9 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_samples = 150;   // places that rings are looked for from
-constexpr double k_near = 0.25;          // of its length: what is as near to a ring belongs to it
-constexpr double k_wider = 0.05;         // by which the surface must be wider on both sides
+constexpr std::size_t k_samples = 150;  // places that rings are looked for from
+constexpr double k_near = 0.25;         // of its length: what is as near to a ring belongs to it
+constexpr double k_wider = 0.05;        // by which the surface must be wider on both sides
 constexpr double k_fewest_edges = 6.0;  // mean edges that a ring is long
 
 double distance_to(Vec3 p, const Patch& patch, std::span<const SurfacePoint> line) {
@@ -120,8 +120,7 @@ std::optional<GeodesicPath> ring_at(const Patch& patch, const SurfacePoint& plac
   if (!loop) return std::nullopt;
   const SurfaceLine along = line_along_edges(patch, *loop);
   GeodesicPath ring = shortened_loop(patch, along, context);
-  const double apart =
-      distance_to(position_of(place, patch.positions()), patch, ring.points);
+  const double apart = distance_to(position_of(place, patch.positions()), patch, ring.points);
   if (ring.length > 0.0 && apart <= k_near * ring.length) return ring;
   return shortened(patch, along, context);
 }

@@ -13,7 +13,7 @@
 namespace planish {
 namespace {
 
-const Plane k_middle{{1.0, 0.0, 0.0}, 0.0};
+const Plane k_plane_between{{1.0, 0.0, 0.0}, 0.0};
 
 void expect_symmetric(const SymmetricMesh& whole, const Plane& plane) {
   const Patch patch(whole.mesh);  // which is an oriented manifold
@@ -39,8 +39,8 @@ TEST(SymmetricMesh, KeepsTheBitsOfItsHalf) {
   TriMesh skew = meshes::height_field(6, 4, [](double x, double y) { return 0.1 * x * x + y; });
   for (Vec3& p : skew.positions)
     p.x -= 3.0;
-  const SymmetricMesh whole = symmetric_mesh(Patch(skew), k_middle, MirrorSide::above);
-  expect_symmetric(whole, k_middle);
+  const SymmetricMesh whole = symmetric_mesh(Patch(skew), k_plane_between, MirrorSide::above);
+  expect_symmetric(whole, k_plane_between);
   EXPECT_EQ(whole.mesh.positions.size(), skew.positions.size());
   EXPECT_EQ(whole.mesh.positions[0], skew.positions[3]);
   EXPECT_EQ(whole.mesh.positions[1], skew.positions[4]);
@@ -49,7 +49,7 @@ TEST(SymmetricMesh, KeepsTheBitsOfItsHalf) {
 
 TEST(SymmetricMesh, NeedsSomethingOnItsSide) {
   try {
-    symmetric_mesh(Patch(meshes::flat_grid(3, 3)), k_middle, MirrorSide::below);
+    symmetric_mesh(Patch(meshes::flat_grid(3, 3)), k_plane_between, MirrorSide::below);
     FAIL() << "made of nothing";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::misplaced_cut);
@@ -101,31 +101,31 @@ std::vector<TriMesh> pieces(double noise) {
 
 TEST(MirrorPieces, AreFoundByTheirPlacesWhateverTheirTriangles) {
   const std::vector<TriMesh> all = pieces(0.01);
-  const auto found = mirror_pieces(all, k_middle, MirrorSide::above, 0.08);
+  const auto found = mirror_pieces(all, k_plane_between, MirrorSide::above, 0.08);
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[0].kind, Kind::image);
   EXPECT_EQ(found[0].of, 2U);
   EXPECT_EQ(found[2].kind, Kind::original);
   EXPECT_EQ(found[1].kind, Kind::across);
   EXPECT_GT(found[0].distance, 0.005);
-  const auto other = mirror_pieces(all, k_middle, MirrorSide::below, 0.08);
+  const auto other = mirror_pieces(all, k_plane_between, MirrorSide::below, 0.08);
   EXPECT_EQ(other[0].kind, Kind::original);
   EXPECT_EQ(other[2].of, 0U);
-  const auto none = mirror_pieces(all, k_middle, MirrorSide::above, 1e-4);
+  const auto none = mirror_pieces(all, k_plane_between, MirrorSide::above, 1e-4);
   for (const MirrorPiece& piece : none)
     EXPECT_EQ(piece.kind, Kind::alone);
 }
 
 TEST(MirrorPieces, BecomeExactMirrorImages) {
   const std::vector<TriMesh> all = pieces(0.01);
-  const auto found = mirror_pieces(all, k_middle, MirrorSide::above, 0.08);
-  const auto exact = symmetric_pieces(all, found, k_middle, MirrorSide::above);
+  const auto found = mirror_pieces(all, k_plane_between, MirrorSide::above, 0.08);
+  const auto exact = symmetric_pieces(all, found, k_plane_between, MirrorSide::above);
   EXPECT_EQ(exact[2].positions, all[2].positions);
-  EXPECT_EQ(exact[0].positions, mirrored(k_middle, all[2]).positions);
-  EXPECT_FALSE(symmetry_in(Patch(exact[1]), k_middle).image.empty());
+  EXPECT_EQ(exact[0].positions, mirrored(k_plane_between, all[2]).positions);
+  EXPECT_FALSE(symmetry_in(Patch(exact[1]), k_plane_between).image.empty());
   // What is exact stays as it is.
-  const auto again = mirror_pieces(exact, k_middle, MirrorSide::below, 0.08);
-  const auto same = symmetric_pieces(exact, again, k_middle, MirrorSide::below);
+  const auto again = mirror_pieces(exact, k_plane_between, MirrorSide::below, 0.08);
+  const auto same = symmetric_pieces(exact, again, k_plane_between, MirrorSide::below);
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_EQ(same[p].positions, exact[p].positions);
     EXPECT_EQ(same[p].triangles, exact[p].triangles);

@@ -46,8 +46,8 @@ std::vector<Flag> cut_flags() {
                 "or an .obj with lines or points over the mesh"};
   avoid.accepts.type = ValueType::file;
   const Flag keep = {"--keep-small", "",
-                     "keep pieces that cuts make with less than 1 % of the area, or narrower than "
-                     "two edges; else each is joined to a neighbour"};
+                     "keep pieces that cuts make with less than 1 % of the area, or 5 % where they "
+                     "are narrower than two edges; else each is joined to a neighbour"};
   std::vector<Flag> flags = {cut, along, smooth, avoid, keep};
   for (Flag& flag : symmetric_flags())
     flags.push_back(std::move(flag));

@@ -192,8 +192,9 @@ KeptPaths without_small_pieces(const Patch& patch, std::span<const LinePath> pat
   const Pieces pieces(patch, paths);
   std::vector<std::size_t> small;
   for (std::size_t p = 0; p < pieces.count(); ++p) {
-    if (pieces.share(p) < limits.area || pieces.width(p) < patch.unit_scale() * limits.width)
-      small.push_back(p);
+    const bool is_narrow =
+        pieces.share(p) < limits.narrow_area && pieces.width(p) < patch.unit_scale() * limits.width;
+    if (is_narrow || pieces.share(p) < limits.area) small.push_back(p);
   }
   std::stable_sort(small.begin(), small.end(),
                    [&](std::size_t a, std::size_t b) { return pieces.share(a) < pieces.share(b); });

@@ -24,8 +24,10 @@ struct SmallPiece {
 
 /// What counts as too small.
 struct SmallLimits {
-  double area = 0.0;   ///< of all, 0 to 1
-  double width = 0.0;  ///< model units; of the rectangle with a piece's area and circumference
+  double area = 0.0;  ///< of all, 0 to 1
+  /// Model units; of the rectangle with a piece's area and circumference, of pieces with less than
+  /// `narrow_area` of all: on coarse meshes large ones are as narrow.
+  double width = 0.0, narrow_area = 0.05;
 };
 
 /// What is left to be cut.

@@ -18,6 +18,7 @@ def svg(
     text: Optional[Literal["letters", "strokes"]] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -44,6 +45,7 @@ def svg(
         text: letters, or strokes for machines without them (default letters)
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -82,6 +84,7 @@ def dxf(
     dxf_layers: Optional[str] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -110,9 +113,10 @@ def dxf(
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
-            annotation, label, legend or cut
+            annotation, label, legend, hole or cut
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -148,6 +152,7 @@ def pdf(
     map: Optional[bool] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -175,6 +180,7 @@ def pdf(
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -208,6 +214,7 @@ def plt(
     as_designed: bool = False,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -233,6 +240,7 @@ def plt(
     Keywords, as flags of the program:
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance

@@ -25,6 +25,10 @@ def evolve(
     cut: Optional[Rows] = None,
     cut_along: Optional[str] = None,
     smooth_lines: Optional[str] = None,
+    avoid: Optional[str] = None,
+    keep_small: Optional[bool] = None,
+    symmetric: Optional[str] = None,
+    mirror_surface: Optional[bool] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -77,10 +81,17 @@ def evolve(
         remesh: work on fewer vertices, and write these; the border keeps all of its own
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
-        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
-            what makes a disk; may be repeated
+        cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
+            or points over the mesh
+        keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
+            edges; else each is joined to a neighbour
+        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
+            place of the other one
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -165,6 +176,10 @@ def evolve_sweeps(
     cut: Optional[Rows] = None,
     cut_along: Optional[str] = None,
     smooth_lines: Optional[str] = None,
+    avoid: Optional[str] = None,
+    keep_small: Optional[bool] = None,
+    symmetric: Optional[str] = None,
+    mirror_surface: Optional[bool] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -214,10 +229,17 @@ def evolve_sweeps(
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
-        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
-            what makes a disk; may be repeated
+        cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
+            or points over the mesh
+        keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
+            edges; else each is joined to a neighbour
+        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
+            place of the other one
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)

@@ -39,8 +39,13 @@ def flatten(
     cut: Optional[Rows] = None,
     cut_along: Optional[str] = None,
     smooth_lines: Optional[str] = None,
+    avoid: Optional[str] = None,
+    keep_small: Optional[bool] = None,
+    symmetric: Optional[str] = None,
+    mirror_surface: Optional[bool] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -122,19 +127,27 @@ def flatten(
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
-            internal, annotation, label, legend or cut
+            internal, annotation, label, legend, hole or cut
         text: letters, or strokes for machines without them (default letters)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
-            annotation, label, legend or cut
-        cut: cut the surface along lines first: an .obj or a list of vertices, "plane x=0", "creases 30deg", or open:
-            what makes a disk; may be repeated
+            annotation, label, legend, hole or cut
+        cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
+            or points over the mesh
+        keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
+            edges; else each is joined to a neighbour
+        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
+            place of the other one
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance

@@ -35,6 +35,9 @@ def flatten_product(
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
     dxf_layers: Optional[str] = None,
     seam_tolerance: Optional[Amount] = None,
+    avoid: Optional[str] = None,
+    symmetric: Optional[str] = None,
+    mirror_surface: Optional[bool] = None,
     divide: Optional[Literal["objects", "materials", "parts"]] = None,
     only: Optional[str | Sequence[str]] = None,
     without: Optional[str | Sequence[str]] = None,
@@ -45,6 +48,7 @@ def flatten_product(
     strict: Optional[bool] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
+    hole_allowance: Optional[str] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
     grain: Optional[str | float | Sequence[float]] = None,
@@ -119,15 +123,20 @@ def flatten_product(
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
-            internal, annotation, label, legend or cut
+            internal, annotation, label, legend, hole or cut
         text: letters, or strokes for machines without them (default letters)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
-            annotation, label, legend or cut
+            annotation, label, legend, hole or cut
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
+            or points over the mesh
+        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
+            place of the other one
         divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
             together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between
@@ -140,6 +149,7 @@ def flatten_product(
         strict: take the mesh as it is: repair and leave out only what other flags ask for
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
+        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double
         notch_depth: of notches (default 5mm, or half of less allowance)
         grain: direction of the grain on the model, or its angle in the pattern

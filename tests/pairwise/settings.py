@@ -98,6 +98,7 @@ NEEDS = {
     "--obstacle": ["--method=local_perturbation"],
     "--border=linked": ["--method=global_penalty"],
     "--corners": ["--allowance"],
+    "--hole-allowance": ["--allowance"],
     "--edge-allowances": ["--allowance"],
     "--notch-depth": ["--notches"],
     "--turn": ["--sheet"],

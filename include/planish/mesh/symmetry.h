@@ -117,16 +117,17 @@ SymmetricMesh symmetric_mesh(const Patch& patch, const Plane& plane, MirrorSide 
 
 /// How a piece of a product lies to its mirror image.
 struct MirrorPiece {
+  /// Which of two mirror images a piece is.
   enum class Kind {
     alone,     ///< no piece is where its mirror image is
     original,  ///< another one is its mirror image
     image,     ///< it is the mirror image of another one
     across,    ///< it is its own mirror image
   };
-  Kind kind = Kind::alone;
-  std::size_t of = 0;     ///< of an image: the number of the other one
-  double distance = 0.0;  ///< of vertices of mirror images from the piece there, the largest; of
-                          ///< one that is alone to the nearest such piece. Model units
+  Kind kind = Kind::alone;  ///< which it is
+  std::size_t of = 0;       ///< of an image: the number of the other one
+  double distance = 0.0;    ///< of vertices of mirror images from the piece there, the largest; of
+                            ///< one that is alone to the nearest such piece. Model units
 };
 
 /// Finds which pieces are mirror images of each other, or of themselves, by their places in space:

@@ -82,8 +82,8 @@ LoopFinder::Sides LoopFinder::sides(Index v, const InsidePaths::Tree& paths) con
     depth[beyond] = depth[node] + 1;
     tree.order.push_back(beyond);
   };
-  for (std::size_t i = 0; i < tree.order.size(); ++i) {
-    const Index node = tree.order[i];
+  for (std::size_t next = 0; next < tree.order.size();) {
+    const Index node = tree.order[next++];
     if (node < triangles) {
       for (Index half = 3 * node; half < 3 * node + 3; ++half)
         look(node, half, node_beyond(half));

@@ -44,6 +44,7 @@ class Singler {
       : patch_(patch), scale_(patch.unit_scale()), tolerance_(scale_ * tolerance) {
     for (const auto& loop : patch.border_loops()) {
       std::vector<Vec3> points;
+      points.reserve(loop.size() + 1);
       for (const Index v : loop)
         points.push_back(scale_ * patch.positions()[v]);
       points.push_back(points.front());

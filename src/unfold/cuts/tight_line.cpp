@@ -32,7 +32,7 @@ double weighed_length(const Patch& patch, const SurfaceLine& line,
 
 SurfaceLine tight_line(const Patch& patch, std::span<const Index> path,
                        std::span<const double> weights, const Context& context) {
-  const SurfaceLine along = line_along_edges(patch, path);
+  SurfaceLine along = line_along_edges(patch, path);
   const bool is_loop = path.front() == path.back();
   SurfaceLine tight = is_loop ? shortened_loop(patch, along, context).points
                               : shortened(patch, along, context).points;

@@ -43,12 +43,15 @@ inline double enclosed_area(std::span<const Vec3> loop) {
 }
 
 /// Of a closed loop of vertices.
-inline CurveSize size_of_loop(std::span<const Vec3> positions, std::span<const Index> loop) {
+/// @param scale that of unit_scale() where squares of lengths have to stay in range
+inline CurveSize size_of_loop(std::span<const Vec3> positions, std::span<const Index> loop,
+                              double scale = 1.0) {
   CurveSize size;
   Box box;
   for (std::size_t k = 0; k < loop.size(); ++k) {
-    size.length += norm(positions[loop[(k + 1) % loop.size()]] - positions[loop[k]]);
-    box.add(positions[loop[k]]);
+    const Vec3 here = scale * positions[loop[k]];
+    size.length += norm(scale * positions[loop[(k + 1) % loop.size()]] - here);
+    box.add(here);
   }
   size.reach = diagonal_of(box);
   return size;
@@ -66,11 +69,12 @@ inline std::size_t outer_loop(std::span<const CurveSize> sizes) {
 
 /// Of each loop.
 inline std::vector<CurveSize> sizes_of_loops(std::span<const Vec3> positions,
-                                             std::span<const std::vector<Index>> loops) {
+                                             std::span<const std::vector<Index>> loops,
+                                             double scale = 1.0) {
   std::vector<CurveSize> sizes;
   sizes.reserve(loops.size());
   for (const std::vector<Index>& loop : loops)
-    sizes.push_back(size_of_loop(positions, loop));
+    sizes.push_back(size_of_loop(positions, loop, scale));
   return sizes;
 }
 

@@ -55,7 +55,7 @@ inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectiv
     const bool closes = std::abs(turning + 2.0 * std::numbers::pi) <= std::numbers::pi;
     if (!closes) kinds.tube_ends.push_back(k);
   }
-  const std::vector<CurveSize> sizes = sizes_of_loops(positions, loops);
+  const std::vector<CurveSize> sizes = sizes_of_loops(positions, loops, scale);
   if (kinds.tube_ends.empty()) return {outer_loop(sizes), {}};
   std::vector<CurveSize> of_ends;
   for (const std::size_t k : kinds.tube_ends)
@@ -74,7 +74,7 @@ inline bool is_slit(std::span<const Vec3> positions, double scale, std::span<con
   places.reserve(loop.size());
   for (const Index v : loop)
     places.push_back(scale * positions[v]);
-  const double length = scale * size_of_loop(positions, loop).length;
+  const double length = size_of_loop(positions, loop, scale).length;
   return enclosed_area(places) <= k_open * length * length;
 }
 

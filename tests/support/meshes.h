@@ -131,6 +131,28 @@ inline TriMesh torus(std::size_t around, std::size_t along) {
   return mesh;
 }
 
+/// The sum of the areas of all triangles.
+inline double area(const TriMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]];
+    area += 0.5 * norm(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+  }
+  return area;
+}
+
+/// A plate of 12 by 6 with two square holes.
+inline TriMesh plate_with_two_holes() {
+  TriMesh plate = flat_grid(12, 6);
+  std::erase_if(plate.triangles, [&](const Triangle& t) {
+    const Vec3 middle =
+        (1.0 / 3.0) * (plate.positions[t[0]] + plate.positions[t[1]] + plate.positions[t[2]]);
+    return std::abs(middle.y - 3.0) < 1.0 &&
+           (std::abs(middle.x - 3.0) < 1.0 || std::abs(middle.x - 9.0) < 1.0);
+  });
+  return plate;
+}
+
 inline TriMesh tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};

@@ -26,8 +26,7 @@ struct CutOutcome {
   CutOutcome& operator+=(const CutOutcome& more);
 };
 
-/// The mesh as the verb is to work on it: cut open and symmetric where --cut and --symmetric say
-/// so, which is told.
+/// The mesh that a verb works on, after --cut and --symmetric.
 struct CutInput {
   TriMesh mesh;
   std::optional<CutOutcome> cut = {};

@@ -26,8 +26,8 @@ std::vector<Flag> symmetric_flags() {
   symmetric.accepts = {.type = ValueType::text, .standard = "no"};
   return {symmetric,
           {"--mirror-surface", "",
-           "with --symmetric: keep the half of the surface that has the lines, and put its mirror "
-           "image in place of the other one"}};
+           "with --symmetric: replace one half of the surface by the mirror image of the half that "
+           "has the lines"}};
 }
 
 bool asks_for_symmetry(const Arguments& arguments) {

@@ -39,7 +39,8 @@ class SymmetricDesign {
   /// @param surface what surface_for() gave
   RequestedLines with_images(RequestedLines asked, const TriMesh& surface) const;
 
-  /// The mesh, cut open, with the mirror images of its pieces in place of their twins.
+  /// The cut mesh, in which each piece that has a twin on the other side is replaced by the mirror
+  /// image of that twin.
   TriMesh with_symmetric_pieces(const TriMesh& cut) const;
 
  private:

@@ -122,7 +122,8 @@ AllPieces with_distinct_names(AllPieces all) {
 
 namespace {
 
-/// The names to be left out that only a cut makes: "body-3" of "body". They are looked for there.
+/// Adds names of --without that exist only after the cut, as "body-3" of "body". The cut checks
+/// them.
 void add_names_of_cut(const ModelOptions& options, std::vector<std::string>& names) {
   const std::vector<std::string> whole = names;
   for (const std::string& name : options.without) {

@@ -73,9 +73,9 @@ struct SingleLines {
   std::vector<DoubleStretch> doubled = {};  ///< what was left out
 };
 
-/// Leaves out stretches of lines that run beside an earlier line or the border, nearer than the
-/// tolerance for at least six times it: two such seams would leave a strip that nobody can sew.
-/// A line that is all along the border stays. What is left is led on to the other line by
+/// Removes the parts of lines that run beside an earlier line or the border: closer than the
+/// tolerance, over a length of at least six tolerances. Both seams would leave a strip too narrow
+/// to sew. A line that is all along the border stays. What is left is led on to the other line by
 /// join_lines().
 /// @param tolerance model units
 SingleLines single_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);

@@ -85,8 +85,8 @@ struct CutGraphOptions {
   /// Cuts also run along sharp creases, but for one straight part of a crease from face to face,
   /// and to the tips of limbs, where the pattern would have to stretch much else.
   bool relieve = false;
-  /// Each part of the mesh is divided into at most so many pieces, until no pattern overlaps
-  /// itself.
+  /// The largest number of pieces that each connected component is divided into, to avoid patterns
+  /// that overlap themselves.
   std::size_t most_pieces = 1;
   UnfoldOptions unfold = {};  ///< how these patterns are made
 };

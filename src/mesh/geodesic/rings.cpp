@@ -17,7 +17,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_samples = 150;  // places that rings are looked for from
+constexpr std::size_t k_samples = 150;  // start points of the search for rings
 constexpr double k_near = 0.25;         // of its length: what is as near to a ring belongs to it
 constexpr double k_wider = 0.05;        // by which the surface must be wider on both sides
 constexpr double k_fewest_edges = 6.0;  // mean edges that a ring is long

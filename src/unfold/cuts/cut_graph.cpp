@@ -106,7 +106,7 @@ std::vector<Opening> divided(std::vector<Opening> open, const CutGraphOptions& o
   return done;
 }
 
-/// A piece with the numbers that its vertices and triangles have in the mesh as it came.
+/// A piece, with the vertex and triangle numbers of the input mesh.
 struct Piece {
   Opening opening;
   const NamedPatch* part;
@@ -125,7 +125,7 @@ CutGraph together(const Patch& patch, std::span<const std::vector<Index>> triang
   graph.source.resize(patch.vertex_count());
   for (Index v = 0; v < patch.vertex_count(); ++v)
     graph.source[v] = v;
-  std::vector<std::array<std::size_t, 3>> order;  // triangle as it came, piece, triangle there
+  std::vector<std::array<std::size_t, 3>> order;  // input triangle, piece, triangle of the piece
   std::vector<std::vector<Index>> number;         // of the vertices of each piece
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Opening& opening = pieces[p].opening;

@@ -20,15 +20,6 @@ Bending bending_of(const TriMesh& mesh) {
   return measure_bending(Patch(mesh));
 }
 
-double area_of(const TriMesh& mesh) {
-  double area = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]];
-    area += 0.5 * norm(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
-  }
-  return area;
-}
-
 /// Two triangles over the edge from (0, 0, 0) to (2, 0, 0), the right one raised by an angle.
 TriMesh hinge(double angle) {
   TriMesh mesh;
@@ -88,7 +79,7 @@ TEST(Bending, OfACylinderIsThreeTimesAreaOverSquaredRadius) {
     const double room = 1.2 / static_cast<double>(cells);
     for (const double angle : {0.0, 0.3, 0.5 * pi}) {
       const TriMesh mesh = meshes::bent_cylinder(cells, angle);
-      const double area = area_of(mesh);
+      const double area = meshes::area(mesh);
       EXPECT_NEAR(bending_of(mesh).bending / (3.0 * area / 0.25), 1.0, room)
           << cells << " " << angle;
     }
@@ -98,7 +89,7 @@ TEST(Bending, OfACylinderIsThreeTimesAreaOverSquaredRadius) {
 TEST(Bending, OfASphereIsFourTimesAreaOverSquaredRadius) {
   for (const std::size_t cells : {30U, 60U, 120U}) {
     const TriMesh mesh = meshes::bent_sphere(cells);
-    EXPECT_NEAR(bending_of(mesh).bending / (4.0 * area_of(mesh)), 1.0,
+    EXPECT_NEAR(bending_of(mesh).bending / (4.0 * meshes::area(mesh)), 1.0,
                 2.4 / static_cast<double>(cells));
   }
 }

@@ -90,8 +90,8 @@ def evolve(
         keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
             edges; else each is joined to a neighbour
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
-            place of the other one
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
+            lines
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -238,8 +238,8 @@ def evolve_sweeps(
         keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
             edges; else each is joined to a neighbour
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
-            place of the other one
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
+            lines
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)

@@ -143,8 +143,8 @@ def flatten(
         keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
             edges; else each is joined to a neighbour
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
-            place of the other one
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
+            lines
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)

@@ -135,8 +135,8 @@ def flatten_product(
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
             or points over the mesh
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
-            place of the other one
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
+            lines
         divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
             together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between

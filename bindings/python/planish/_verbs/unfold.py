@@ -81,8 +81,8 @@ def unfold(
         keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
             edges; else each is joined to a neighbour
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: keep the half of the surface that has the lines, and put its mirror image in
-            place of the other one
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
+            lines
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,

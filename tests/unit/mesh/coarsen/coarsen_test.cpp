@@ -16,15 +16,6 @@
 namespace planish {
 namespace {
 
-double area(const TriMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 p = mesh.positions[t[0]];
-    sum += 0.5 * norm(cross(mesh.positions[t[1]] - p, mesh.positions[t[2]] - p));
-  }
-  return sum;
-}
-
 /// A grid without the cells of some rectangles.
 TriMesh grid_with_holes(std::size_t size) {
   const TriMesh grid = meshes::height_field(size, size, [&](double x, double y) {
@@ -106,7 +97,7 @@ TEST(Coarsen, StaysNearTheSurface) {
     const TriMesh mesh = make_shape(shape.name, 10'000);
     const CoarsePatch patch = coarse(mesh, 1000, CoarseBorder::thinned);
     EXPECT_LT(farthest(mesh, patch.mesh), 0.01) << shape.name;
-    EXPECT_NEAR(area(patch.mesh) / area(mesh), 1.0, 0.02) << shape.name;
+    EXPECT_NEAR(meshes::area(patch.mesh) / meshes::area(mesh), 1.0, 0.02) << shape.name;
     EXPECT_GT(smallest_angles(patch.mesh).front(), 10.0) << shape.name;
   }
 }
@@ -114,7 +105,7 @@ TEST(Coarsen, StaysNearTheSurface) {
 TEST(Coarsen, KeepsCorners) {
   const TriMesh mesh = meshes::flat_grid(60, 60);
   const CoarsePatch patch = coarse(mesh, 100, CoarseBorder::thinned);
-  EXPECT_NEAR(area(patch.mesh), area(mesh), 1e-9);
+  EXPECT_NEAR(meshes::area(patch.mesh), meshes::area(mesh), 1e-9);
 }
 
 TEST(Coarsen, KeepsWhatMustStay) {

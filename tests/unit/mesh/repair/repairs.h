@@ -20,14 +20,7 @@
 
 namespace planish::repairs {
 
-inline double area(const TriMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    sum += 0.5 * norm(cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                            mesh.positions[t[2]] - mesh.positions[t[0]]));
-  }
-  return sum;
-}
+using meshes::area;
 
 /// A quarter of a cylinder, radius and length as told, its normals away from the axis.
 inline TriMesh shell(std::size_t around, std::size_t along, double radius = 100.0,

@@ -21,15 +21,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double area_of(const TriMesh& mesh) {
-  double area = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]];
-    area += 0.5 * norm(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
-  }
-  return area;
-}
-
 /// The surface stays, vertices keep their numbers, and every part is a disk.
 void expect_disks(const TriMesh& mesh, const CutGraph& graph, std::size_t parts = 1) {
   ASSERT_EQ(graph.source.size(), graph.mesh.positions.size());
@@ -41,7 +32,7 @@ void expect_disks(const TriMesh& mesh, const CutGraph& graph, std::size_t parts 
       EXPECT_EQ(graph.mesh.positions[v], mesh.positions[graph.source[v]]);
     }
   }
-  EXPECT_NEAR(area_of(graph.mesh), area_of(mesh), 1e-12 * area_of(mesh));
+  EXPECT_NEAR(meshes::area(graph.mesh), meshes::area(mesh), 1e-12 * meshes::area(mesh));
   const std::vector<NamedPatch> pieces = split(graph.mesh, "piece");
   EXPECT_EQ(pieces.size(), parts);
   for (const NamedPatch& piece : pieces) {
@@ -152,20 +143,8 @@ TEST(CutGraph, OpensASphereFromPoleToPole) {
   EXPECT_LE(graph.length, pi);
 }
 
-/// A plate with two holes.
-TriMesh plate() {
-  TriMesh plate = meshes::flat_grid(12, 6);
-  std::erase_if(plate.triangles, [&](const Triangle& t) {
-    const Vec3 middle =
-        (1.0 / 3.0) * (plate.positions[t[0]] + plate.positions[t[1]] + plate.positions[t[2]]);
-    return std::abs(middle.y - 3.0) < 1.0 &&
-           (std::abs(middle.x - 3.0) < 1.0 || std::abs(middle.x - 9.0) < 1.0);
-  });
-  return plate;
-}
-
 TEST(CutGraph, JoinsThreeBordersOrKeepsHoles) {
-  const TriMesh mesh = plate();
+  const TriMesh mesh = meshes::plate_with_two_holes();
   ASSERT_EQ(inspect(mesh).topology.border_loops, 3U);
   const CutGraph disk = cut_graph(Patch(mesh));
   expect_disks(mesh, disk);

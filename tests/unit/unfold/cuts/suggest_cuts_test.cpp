@@ -145,14 +145,7 @@ TEST(SuggestCuts, OpensTubesAndClosedSurfaces) {
 }
 
 TEST(SuggestCuts, JoinsSeveralBorders) {
-  // A plate with two holes.
-  TriMesh plate = meshes::flat_grid(12, 6);
-  std::erase_if(plate.triangles, [&](const Triangle& t) {
-    const Vec3 middle =
-        (1.0 / 3.0) * (plate.positions[t[0]] + plate.positions[t[1]] + plate.positions[t[2]]);
-    return std::abs(middle.y - 3.0) < 1.0 &&
-           (std::abs(middle.x - 3.0) < 1.0 || std::abs(middle.x - 9.0) < 1.0);
-  });
+  const TriMesh plate = meshes::plate_with_two_holes();
   EXPECT_EQ(inspect(plate).topology.border_loops, 3U);
   const CutSuggestion joined = suggest(plate);
   EXPECT_EQ(joined.cuts.size(), 2U);

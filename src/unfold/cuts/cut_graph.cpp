@@ -117,9 +117,11 @@ struct Piece {
   }
 };
 
-/// All pieces as one mesh.
+/// All pieces as one mesh. Paths are those of the input mesh, so there are none where lines made
+/// new vertices.
 CutGraph together(const Patch& patch, std::span<const std::vector<Index>> triangles_of_part,
-                  std::span<const std::size_t> part_of, std::span<const Piece> pieces) {
+                  std::span<const std::size_t> part_of, std::span<const Piece> pieces,
+                  bool along_edges) {
   CutGraph graph;
   graph.mesh.positions = patch.positions();
   graph.source.resize(patch.vertex_count());
@@ -132,14 +134,15 @@ CutGraph together(const Patch& patch, std::span<const std::vector<Index>> triang
     number.emplace_back(opening.patch().vertex_count(), CutGraph::none);
     for (std::size_t t = 0; t < opening.triangle_of().size(); ++t)
       order.push_back({triangles_of_part[part_of[p]][opening.triangle_of()[t]], p, t});
+    graph.lines += opening.paths().size();
+    graph.edges += opening.edges();
+    graph.length += opening.length();
+    if (!along_edges) continue;
     for (const std::vector<Index>& path : opening.paths()) {
       std::vector<Index>& all = graph.paths.emplace_back(path);
       for (Index& v : all)
         v = pieces[p].part->vertices[v];
     }
-    graph.edges += opening.edges();
-    graph.length += opening.length();
-    graph.lines += opening.paths().size();
   }
   std::sort(order.begin(), order.end());
   std::vector<unsigned char> taken(patch.vertex_count(), 0);
@@ -191,9 +194,7 @@ CutGraph cut_graph(const Patch& patch, const CutGraphOptions& options, const Con
   }
   for (std::size_t t = 0; t < patch.triangles().size(); ++t)
     triangles[part_of_vertex[patch.triangles()[t].front()]].push_back(static_cast<Index>(t));
-  CutGraph graph = together(patch, triangles, part_of, pieces);
-  if (!options.along_edges) graph.paths.clear();
-  return graph;
+  return together(patch, triangles, part_of, pieces, options.along_edges);
 }
 
 }  // namespace planish

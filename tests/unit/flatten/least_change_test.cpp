@@ -49,10 +49,9 @@ TEST(BoundarySearch, StaysWithinItsRangeAndEnds) {
   EXPECT_EQ(jump.size(), 2U) << "none holds, however small";
 }
 
-FlattenReport run_flatten(const TriMesh& mesh, const FlattenOptions& options,
-                          unsigned threads = 1) {
+FlattenReport run_flatten(const TriMesh& mesh, const FlattenOptions& options) {
   Context context;
-  context.threads = threads;
+  context.threads = 1;
   return flatten(Patch(mesh), "patch", options, context);
 }
 
@@ -73,27 +72,6 @@ TEST(LeastChange, IsNearerThanTheSurfaceThatKeepsTheLimitByItsEstimate) {
     EXPECT_TRUE(all_kept(again.limits));
     EXPECT_EQ(report.evolve.deviation.rms,
               measure_deviation(patch, report.processed.positions()).rms);
-  }
-}
-
-TEST(LeastChange, OfALargePatchIsThatOfASmallOne) {
-  const auto changed = [](std::size_t vertices) {
-    return run_flatten(make_shape("panel", vertices), {.limits = {.rms = 0.004}}, 0);
-  };
-  const FlattenReport large = changed(12'500), small = changed(3'000);
-  EXPECT_TRUE(all_kept(large.unfold.limits));
-  EXPECT_TRUE(large.evolve.fairness.is_smooth());
-  EXPECT_GT(large.evolve.deviation.rms, 0.0);
-  EXPECT_LT(large.evolve.deviation.rms, 1.1 * small.evolve.deviation.rms);
-}
-
-TEST(LeastChange, IsTheSameOnAnyNumberOfThreads) {
-  const TriMesh mesh = make_shape("panel", 500);
-  for (const FlattenOptions& options : {FlattenOptions{.limits = {.p99 = 0.008}},
-                                        FlattenOptions{.as_needed = {.max_deviation = 2.0}}}) {
-    const auto one = run_flatten(mesh, options, 1), three = run_flatten(mesh, options, 3);
-    EXPECT_EQ(one.processed.positions(), three.processed.positions());
-    EXPECT_EQ(one.unfold.pattern.positions, three.unfold.pattern.positions);
   }
 }
 

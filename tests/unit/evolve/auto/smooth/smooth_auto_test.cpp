@@ -5,39 +5,15 @@
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>
-#include <planish/unfold/strain.h>
-#include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>
+
+#include "support/auto_runs.h"
 
 namespace planish {
 namespace {
 
-constexpr double k_no_strain = 1e-3;
-
-Auto smooth() {
-  return {.prefer = Prefer::smooth};
-}
-
-EvolveResult run(const TriMesh& mesh, const Auto& method, unsigned threads = 1) {
-  return evolve(Patch(mesh), method, usual_stopping(method), {}, {.threads = threads});
-}
-
-double rms_strain(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const TriMesh after{positions, mesh.triangles};
-  const Patch patch(after);
-  return edge_strain(patch, unfold(patch, {.least_stretch = true}).positions).rms;
-}
-
-double farthest(const TriMesh& mesh, const std::vector<Vec3>& positions, bool of_border) {
-  const Patch patch(mesh);
-  double most = 0.0;
-  for (Index v = 0; v < positions.size(); ++v) {
-    if (patch.is_border(v) == of_border)
-      most = std::max(most, norm(positions[v] - mesh.positions[v]));
-  }
-  return most;
-}
+using namespace auto_runs;
 
 TEST(SmoothAuto, LeavesNoMeasurableStrainAndNoCrumples) {
   for (const std::size_t size : {300, 800}) {
@@ -100,33 +76,6 @@ TEST(SmoothAuto, BecomesFlattenableWhereThatIsPreferred) {
   EXPECT_LE(*measure_fairness(patch, result.positions).bending_ratio, 1.6);
 }
 
-TEST(SmoothAuto, StaysNearerTheMoreItMayBend) {
-  const TriMesh mesh = make_shape("panel", 1600);
-  const Patch patch(mesh);
-  double before = 1e300;
-  for (const double bound : {0.5, 1.0, 1.5}) {
-    const EvolveResult result = run(mesh, {.max_bending = bound});
-    EXPECT_EQ(result.stop, StopReason::strain_met) << bound;
-    EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain) << bound;
-    const double bending = *measure_fairness(patch, result.positions).bending_ratio;
-    EXPECT_LE(bending, bound);
-    EXPECT_GE(bending, 0.9 * bound);
-    const double away = measure_deviation(patch, result.positions).rms;
-    EXPECT_LT(away, before) << bound;
-    before = away;
-  }
-}
-
-TEST(SmoothAuto, LeavesNoMoreStrainWithABoundOfBending) {
-  const TriMesh mesh = make_shape("panel", 10'000);
-  for (const double bound : {0.9, 1.3}) {
-    const EvolveResult result = run(mesh, {.max_bending = bound}, 2);
-    EXPECT_EQ(result.stop, StopReason::strain_met) << bound;
-    EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain) << bound;
-    EXPECT_LE(*measure_fairness(Patch(mesh), result.positions).bending_ratio, bound);
-  }
-}
-
 TEST(SmoothAuto, KeepsABoundOfBendingBesideOtherLimits) {
   const TriMesh mesh = make_shape("panel", 800);
   const Patch patch(mesh);
@@ -138,19 +87,6 @@ TEST(SmoothAuto, KeepsABoundOfBendingBesideOtherLimits) {
     EXPECT_LE(*measure_fairness(patch, result.positions).bending_ratio, 1.2);
     EXPECT_LE(farthest(mesh, result.positions, false), method.max_deviation * (1.0 + 1e-12));
   }
-}
-
-TEST(SmoothAuto, BecomesFlattenableAndNearWhereItMayBend) {
-  const TriMesh mesh = make_shape("panel", 1600);
-  const Patch patch(mesh);
-  const auto away = [&](const EvolveResult& result) {
-    return measure_deviation(patch, result.positions).rms;
-  };
-  const EvolveResult bent = run(mesh, {.max_bending = 3.0, .prefer = Prefer::flat});
-  EXPECT_EQ(bent.stop, StopReason::converged);
-  EXPECT_LE(measure(Patch({bent.positions, mesh.triangles})).e_max, k_flattenable_e_max);
-  EXPECT_LE(*measure_fairness(patch, bent.positions).bending_ratio, 3.0);
-  EXPECT_LT(away(bent), away(run(mesh, {.prefer = Prefer::flat})));
 }
 
 TEST(SmoothAuto, KeepsTheBoundOfBendingWhereTheBorderForbidsFlatness) {

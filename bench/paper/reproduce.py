@@ -72,9 +72,9 @@ def page(version, summary, link):
 
 Lin, Zhang, Wang, Gao, *Flattenable mesh processing by controllable Laplacian evolution*, ASME DETC2010-28301, evaluates its
 method in seven figures, 5 to 11, and a table. This page compares its claims with the corrected method
-([controllable](../methods/controllable.md)) on our own patches, as the paper's are not public. [All tables and
+([controllable](../../methods/controllable.md)) on our own patches, as the paper's are not public. [All tables and
 pictures]({link}), and why figures differ, are in the notebook. `bench/paper/reproduce` makes both pages.
-Words are those of [notation](../notation.md); Eq., Fig. and Table are the paper's.
+Words are those of [notation](../../notation.md); Eq., Fig. and Table are the paper's.
 
 {table(["", "the paper", "here"], summary)}"""
 
@@ -105,17 +105,17 @@ def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--update-docs", action="store_true", help="write docs/paper and docs/notebook/paper.md")
+    parser.add_argument("--update-docs", action="store_true", help="write docs/notebook/paper and docs/notebook/paper.md")
     parser.add_argument("planish", type=pathlib.Path, help="the program")
     parser.add_argument("paths", type=pathlib.Path, nargs="*", help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.update_docs:
-        given.paths.insert(0, DOCS / "paper")
+        given.paths.insert(0, DOCS / "notebook/paper")
     if not 1 <= len(given.paths) <= 2:
         parser.error("name the folder to write, or give --update-docs")
     out, folder = given.paths[0], given.paths[1] if len(given.paths) > 1 else None
     if not given.update_docs and out.resolve().is_relative_to(DOCS):
-        parser.error(f"{out} is in docs/; to write docs/paper use --update-docs")
+        parser.error(f"{out} is in docs/; to write docs/notebook/paper use --update-docs")
     return given.planish.resolve(), out, folder
 
 
@@ -137,8 +137,8 @@ def main():
             print(f"{section.__name__}: {time.monotonic() - start:.0f} s", file=sys.stderr)
         version = program.ask("--version")["version"]
     figures["errata"] = job.errata
-    tables = DOCS / "notebook/paper.md" if out == DOCS / "paper" else out / "tables.md"
-    link = "../paper/" if out == DOCS / "paper" else ""
+    tables = DOCS / "notebook/paper.md" if out == DOCS / "notebook/paper" else out / "tables.md"
+    link = "paper/" if out == DOCS / "notebook/paper" else ""
     tables.write_text(wrapped(notebook(version, texts, folder is None, link)), encoding="utf-8")
     text = page(version, summary, os.path.relpath(tables, out)) + "\n" + errata_text(job.errata)
     (out / "README.md").write_text(wrapped(text), encoding="utf-8")

@@ -12,7 +12,7 @@
 
 #include "evolve/auto/shared/coarse_levels.h"
 #include "evolve/systems/positions.h"
-#include "support/figures.h"
+#include "support/evolved.h"
 
 namespace planish {
 namespace {

@@ -162,8 +162,10 @@ class ProductRun {
       note_notches(session_, patterns);
       if (!job_.output.only_layers.empty())
         note_empty_layers(session_, pieces_sheet(pieces, report_.twins, ""), job_.output);
-      for (const PatternGeometry& pattern : patterns)
+      for (const PatternGeometry& pattern : patterns) {
         note_filled(session_, pattern);
+        note_left_out(session_, pattern);
+      }
     } catch (const Error&) {
       // The piece that cannot be drawn has reported this error already.
     }

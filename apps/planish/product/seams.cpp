@@ -175,9 +175,15 @@ void note_filled(Session& session, const PatternGeometry& pattern) {
                "with --edge-allowances");
 }
 
+void note_left_out(Session& session, const PatternGeometry& pattern) {
+  for (const std::string& what : pattern.left_out)
+    session.note(what);
+}
+
 void note_pattern(Session& session, const PatternGeometry& pattern) {
   note_notches(session, {&pattern, 1});
   note_filled(session, pattern);
+  note_left_out(session, pattern);
 }
 
 }  // namespace planish::cli

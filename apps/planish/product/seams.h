@@ -60,7 +60,9 @@ void note_notches(Session& session, std::span<const PatternGeometry> patterns);
 /// Says where the allowance of a pattern fills slits, darts or bays, so that no cut line runs
 /// there.
 void note_filled(Session& session, const PatternGeometry& pattern);
-/// Both.
+/// Says which notches and allowances do not fit and are left out.
+void note_left_out(Session& session, const PatternGeometry& pattern);
+/// All three.
 void note_pattern(Session& session, const PatternGeometry& pattern);
 
 }  // namespace planish::cli

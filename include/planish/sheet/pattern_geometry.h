@@ -34,6 +34,7 @@ struct PatternGeometry {
   std::vector<Polygon> inner_lines = {};          ///< by vertices, then those that were drawn
   std::vector<Text> texts = {};                   ///< label, lengths of edges, numbers of seams
   std::vector<FilledStretch> filled = {};         ///< of the seam line
+  std::vector<std::string> left_out = {};         ///< what does not fit where it was asked for
   Vec2 size = {}, sheet_size = {};                ///< of the piece without allowance, and its sheet
   std::uint64_t hash = 0;                         ///< of the positions, as it stands on sheets
 
@@ -43,7 +44,8 @@ struct PatternGeometry {
   }
 };
 
-/// The pattern of a result. One that overlaps itself gets no allowance.
+/// The pattern of a result. One that overlaps itself gets no allowance, nor does a hole that its
+/// allowance would fill; a notch that does not fit is left out while others fit.
 /// @param options by the vertices of the patch that was given to flatten()
 /// @throws Error as offset_outline(), with_edge_allowances(), fold_stretch(), place_notches(),
 ///   grain_direction() and mark_lines()

@@ -148,6 +148,60 @@ double widest_allowance(const PatternOptions& options) {
   return width;
 }
 
+/// A cut line, and the allowance that it was made with.
+struct CutLine {
+  std::vector<Polygon> loops;
+  Allowance allowance;
+};
+
+/// A hole that its allowance would fill is cut without one.
+CutLine cut_line(const PieceOutline& outline, const Allowance& asked,
+                 std::vector<EdgeAllowance> edges, std::vector<std::string>& left_out) {
+  for (std::size_t bare = 0;; ++bare) {
+    CutLine line{{}, with_edge_allowances(asked, outline, edges)};
+    try {
+      line.loops = offset_outline(outline, line.allowance);
+      return line;
+    } catch (const Error& error) {
+      const std::optional<std::size_t> hole = error.place().first;
+      const bool fills = error.code() == ErrorCode::allowance_too_wide && hole;
+      if (!fills || bare == outline.loops.size()) throw;
+      left_out.push_back(std::string(error.what()) + "; this hole is cut without");
+      const Index vertex = outline.vertices[*hole].front();
+      edges.push_back({vertex, vertex, 0.0});
+    }
+  }
+}
+
+/// Those that do not fit where they are are left out, unless none fits.
+std::vector<PlacedNotch> notches_that_fit(const PieceOutline& outline, std::span<const Polygon> cut,
+                                          std::span<const Notch> notches, const NotchSizes& sizes,
+                                          const Allowance& allowance,
+                                          std::vector<std::string>& left_out) {
+  const auto placed = [&](std::span<const Notch> some) {
+    return place_notches(outline, cut, some, sizes, allowance);
+  };
+  try {
+    return placed(notches);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::misplaced_notch) throw;
+  }
+  check_notches(outline.vertices, notches, outline.piece);
+  std::vector<Notch> fit;
+  std::optional<Error> last;
+  for (const Notch& notch : notches) {
+    try {
+      placed({&notch, 1});
+      fit.push_back(notch);
+    } catch (const Error& error) {
+      last = error;
+      left_out.push_back(std::string(error.what()) + "; it is left out");
+    }
+  }
+  if (fit.empty() && last) throw Error(*last);
+  return placed(fit);
+}
+
 /// Without what is measured on it.
 PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
                              const std::string& piece, PatternOptions wanted) {
@@ -172,16 +226,19 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
     allowance = with_edge_allowances({.width = 1.0}, pattern.outline, {&edges.back(), 1});
   }
   if (options.allowance) {
-    allowance = with_edge_allowances(std::move(allowance), pattern.outline, edges);
-    pattern.cut = offset_outline(pattern.outline, allowance);
+    CutLine line = cut_line(pattern.outline, allowance, edges, pattern.left_out);
+    allowance = std::move(line.allowance);
+    pattern.cut = std::move(line.loops);
   }
+  std::vector<std::string> no_notches;
   const auto notches_of = [&](const PatternGeometry& some, const Allowance& made_with) {
-    return place_notches(some.outline, some.cut,
-                         notches_of_half(options.notches, some.outline, options),
-                         options.notch_sizes, made_with);
+    return notches_that_fit(some.outline, some.cut,
+                            notches_of_half(options.notches, some.outline, options),
+                            options.notch_sizes, made_with, no_notches);
   };
   if (!mirrored) {
     pattern.notches = notches_of(pattern, allowance);
+    pattern.left_out.insert(pattern.left_out.end(), no_notches.begin(), no_notches.end());
     const std::vector<Vec2> places = places_of(pattern.notches);
     return with_fitted_lines(std::move(pattern), places);
   }
@@ -192,6 +249,7 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
   std::transform(places.begin(), places.end(), places.begin(), mirrored_in_y_axis);
   pattern = mirror_image(with_fitted_lines(std::move(pattern), places));
   pattern.notches = std::move(notches);
+  pattern.left_out.insert(pattern.left_out.end(), no_notches.begin(), no_notches.end());
   return pattern;
 }
 

@@ -4,7 +4,10 @@
 
 #include <planish/planish.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "support/meshes.h"
 
 namespace planish {
 namespace {
@@ -68,6 +71,39 @@ TEST(PatternGeometry, HasTheAreaOfThePatternInSquareMillimetres) {
   const double expected = 100.0 * on_model * report.unfold.pattern.area_ratio;
   EXPECT_NEAR(signed_area(pattern.cut[0]), expected, 1e-9 * expected);
   EXPECT_NEAR(pattern.size.x, 10.0 * report.unfold.pattern.width, 1e-9);
+}
+
+/// 120 by 60 mm with two holes of 20 by 20 mm.
+FlattenReport flat_plate() {
+  FlattenOptions options;
+  options.unit = Unit::cm;
+  return flatten(Patch(meshes::plate_with_two_holes()), "plate", options);
+}
+
+TEST(PatternGeometry, CutsAHoleWithoutAnAllowanceThatWouldFillIt) {
+  const PatternGeometry pattern =
+      pattern_geometry(flat_plate(), {.allowance = Allowance{.width = 12.0}});
+  ASSERT_EQ(pattern.cut.size(), 3U);
+  EXPECT_NEAR(signed_area(pattern.cut[0]), 144.0 * 84.0, 1e-6);
+  for (const std::size_t hole : {1, 2})
+    EXPECT_NEAR(signed_area(pattern.cut[hole]), -400.0, 1e-6);
+  ASSERT_EQ(pattern.left_out.size(), 2U);
+  EXPECT_THAT(pattern.left_out[0], testing::HasSubstr("fills hole 1"));
+  EXPECT_TRUE(pattern_geometry(flat_plate(), {.allowance = Allowance{}}).left_out.empty());
+}
+
+TEST(PatternGeometry, LeavesOutANotchThatDoesNotFitWhileOthersDo) {
+  const TriMesh wedge{{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}}, {{0, 1, 2}}};
+  FlattenOptions options;
+  options.unit = Unit::cm;
+  const FlattenReport report = flatten(Patch(wedge), "wedge", options);
+  const Notch in_the_tip = Notch::on_edge(0, 1, 0.05), in_the_middle = Notch::on_edge(0, 1, 0.5);
+  const PatternGeometry pattern =
+      pattern_geometry(report, {.notches = {in_the_tip, in_the_middle}});
+  ASSERT_EQ(pattern.notches.size(), 1U);
+  ASSERT_EQ(pattern.left_out.size(), 1U);
+  EXPECT_THAT(pattern.left_out[0], testing::HasSubstr("out of the piece; it is left out"));
+  EXPECT_THROW(pattern_geometry(report, {.notches = {in_the_tip}}), Error);
 }
 
 TEST(PatternGeometry, IsWhereTheSheetDrawsIt) {

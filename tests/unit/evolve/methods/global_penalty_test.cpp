@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/figures.h"
+#include "support/evolved.h"
 #include "support/meshes.h"
 #include "support/seams.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/figures.h"
+#include "support/evolved.h"
 #include "support/meshes.h"
 
 namespace planish {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/auto_runs.h"
+#include "support/evolved.h"
 
 namespace planish {
 namespace {

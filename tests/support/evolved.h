@@ -4,12 +4,20 @@
 #include <vector>
 
 #include <planish/evolve/evolve.h>
+#include <planish/measure/flattenability.h>
 #include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
 
+namespace planish {
+
+/// Of a mesh whose vertices are at these positions.
+inline Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  return measure(Patch({positions, mesh.triangles}));
+}
+
 /// Runs of `auto`, and what tests ask of them.
-namespace planish::auto_runs {
+namespace auto_runs {
 
 inline constexpr double k_no_strain = 1e-3;
 
@@ -37,4 +45,5 @@ inline double farthest(const TriMesh& mesh, const std::vector<Vec3>& positions, 
   return most;
 }
 
-}  // namespace planish::auto_runs
+}  // namespace auto_runs
+}  // namespace planish

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
+#include <planish/io/read_mesh.h>
 #include <planish/mesh/patch.h>
 
 #include "core/math.h"
@@ -68,6 +71,70 @@ FixedVertices snap(const LineDrawing& drawing, const Patch& patch, const TextCur
   return fixed;
 }
 
+/// Whether the colour of a vertex is another one than that of most of the mesh.
+std::vector<unsigned char> painted(const ReadResult& file, const std::string& name) {
+  constexpr float k_other = 0.125F;  // of a channel: a soft brush leaves less at its rim
+  const auto& colors = file.colors;
+  std::vector<std::array<float, 3>> sorted = colors;
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t most = 0;
+  std::array<float, 3> base = {};
+  for (auto at = sorted.begin(); at != sorted.end();) {
+    const auto end = std::upper_bound(at, sorted.end(), *at);
+    const auto count = static_cast<std::size_t>(end - at);
+    if (count > most) {
+      most = count;
+      base = *at;
+    }
+    at = end;
+  }
+  if (4 * most < colors.size() || most == 0) {
+    throw Error(ErrorCode::malformed_file,
+                "no colour covers a quarter of the vertices, so none can be taken for unpainted: "
+                "fill the model with one colour, then paint on it",
+                {.path = name});
+  }
+  std::vector<unsigned char> marked;
+  for (const auto& color : colors) {
+    const bool other = std::abs(color[0] - base[0]) > k_other ||
+                       std::abs(color[1] - base[1]) > k_other ||
+                       std::abs(color[2] - base[2]) > k_other;
+    marked.push_back(other ? 1 : 0);
+  }
+  return marked;
+}
+
+/// The painted vertices of a mesh file.
+FixedVertices painted_vertices(const ReadResult& file, const Patch& patch,
+                               const std::string& name) {
+  if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+  const std::vector<unsigned char> marked = painted(file, name);
+  LineDrawing drawing;
+  for (std::size_t v = 0; v < marked.size(); ++v) {
+    if (marked[v] == 0) continue;
+    drawing.corners.push_back(static_cast<Index>(drawing.places.size()));
+    drawing.places.push_back(file.mesh.positions[v]);
+  }
+  return snap(drawing, patch, TextCursor({}, name));
+}
+
+/// Whether the vertices of an OBJ file have colours, and nothing is drawn.
+bool is_painted(std::string_view obj, const std::string& name) {
+  bool has_colors = false;
+  TextCursor cursor(obj, name, {.comments = true, .continuation = true});
+  for (; !cursor.at_end(); cursor.next_line()) {
+    const std::string_view keyword = cursor.token();
+    if (keyword == "l" || keyword == "p") return false;
+    if (keyword != "v" || has_colors) continue;
+    std::size_t words = 0;
+    for (; !cursor.at_line_end(); ++words)
+      cursor.token();
+    if (words < 6) return false;
+    has_colors = true;
+  }
+  return has_colors;
+}
+
 }  // namespace
 
 FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch& patch) {
@@ -77,7 +144,15 @@ FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch
 
 FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name) {
-  if (lower_extension(path_of(name)) == ".obj") {
+  const std::string extension = lower_extension(path_of(name));
+  const bool is_ply = extension == ".ply";
+  if (is_ply || (extension == ".obj" && is_painted(bytes, name))) {
+    const ReadResult file =
+        parse_mesh(bytes, is_ply ? MeshFormat::ply : MeshFormat::obj, name, {.colors = true});
+    if (!file.colors.empty()) return painted_vertices(file, patch, name);
+    throw Error(ErrorCode::malformed_file, "not all vertices have colours", {.path = name});
+  }
+  if (extension == ".obj") {
     TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
     const LineDrawing drawing = parse_line_drawing(cursor);
     return snap(drawing, patch, cursor);

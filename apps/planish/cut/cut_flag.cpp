@@ -43,7 +43,8 @@ std::vector<Flag> cut_flags() {
   smooth.accepts = {.choices = {"yes", "no"}, .standard = "yes"};
   Flag avoid = {"--avoid", "FILE",
                 "places that the cuts of --cut open go round where they can: vertices one a line, "
-                "or an .obj with lines or points over the mesh"};
+                "an .obj with lines or points over the mesh, or an .obj or .ply of the model with "
+                "these places painted"};
   avoid.accepts.type = ValueType::file;
   const Flag keep = {"--keep-small", "",
                      "keep pieces that cuts make with less than 1 % of the area, or 5 % where they "

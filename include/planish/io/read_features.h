@@ -59,8 +59,10 @@ struct FixedVertices {
 /// Reads which vertices of a mesh are fixed. An OBJ file (by its extension) draws them: every point
 /// of its lines (l) and points (p) stands for the nearest vertex that triangles use, the smallest
 /// number where several are, and the vertices of a line are joined by shortest paths along the
-/// edges. Any other file lists numbers of vertices, from 0, with blanks or commas between them and
-/// comments from # to the end of the line.
+/// edges. In an OBJ file without lines and points, or a PLY file, they are painted: vertices whose
+/// colour is another than that of most vertices stand for the nearest ones. Any other file lists
+/// numbers of vertices, from 0, with blanks or commas between them and comments from # to the end
+/// of the line.
 /// @throws Error file_not_found, file_unreadable, malformed_file, truncated_file, bad_number,
 ///   non_finite_coordinate, index_out_of_range, too_large, several_components for a line that no
 ///   edges join; the place has path and line. Also, without a place, no_triangles

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -38,11 +39,15 @@ struct ReadResult {
   FaceGroups materials = {};       ///< of an OBJ file; none where it has fewer than two
   /// None where no comment before the first vertex says it, or two disagree.
   std::optional<StatedUnit> unit = {};
+  /// Red, green and blue of each vertex of an OBJ or PLY file, 0 to 1, where options ask for them;
+  /// empty where a vertex has none.
+  std::vector<std::array<float, 3>> colors = {};
 };
 
 /// How much of what is harmless is mended.
 struct ReadOptions {
   bool strict = false;  ///< refuses what is otherwise mended with a note, as a corner named twice
+  bool colors = false;  ///< keeps the colours of vertices
 };
 
 /// Reads an OBJ, PLY, STL or OFF file. Polygons are divided into triangles inside themselves, quads

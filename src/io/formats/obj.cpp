@@ -46,6 +46,7 @@ class ObjParser {
   ObjParser(std::string_view bytes, std::string_view name, const ReadOptions& options)
       : cursor_(bytes, name, {.comments = true, .continuation = true}),
         strict_(options.strict),
+        keeps_colors_(options.colors),
         faces_(options.strict) {}
 
   ReadResult parse() {
@@ -56,11 +57,13 @@ class ObjParser {
     FaceGroups groups = this->groups();
     const std::size_t faces = faces_.size();  // before they are taken
     std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
+    std::vector<std::array<float, 3>> colors = this->colors();
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::obj,
             .notes = std::move(told),
             .groups = std::move(groups),
-            .materials = materials_.spread("usemtl", faces)};
+            .materials = materials_.spread("usemtl", faces),
+            .colors = std::move(colors)};
   }
 
  private:
@@ -79,18 +82,20 @@ class ObjParser {
   void face();
   void begin_group(GroupRuns& runs);
   FaceGroups groups() const;
+  std::vector<std::array<float, 3>> colors();
   void skip(std::string_view keyword);
   void check() const;
   std::vector<std::string> notes() const;
 
   TextCursor cursor_;
-  bool strict_;
+  bool strict_, keeps_colors_;
   std::vector<Vec3> positions_;
   FaceList faces_;
   std::vector<Index> corners_;
   ObjReferences references_;
   GroupRuns objects_, groups_, materials_;
   std::size_t coloured_ = 0;
+  std::vector<std::array<float, 3>> colors_;
   std::array<std::size_t, k_skipped.size()> skipped_ = {};
   std::size_t unknown_ = 0;
   std::string first_unknown_;
@@ -100,13 +105,15 @@ void ObjParser::vertex() {
   const double x = cursor_.number();
   const double y = cursor_.number();
   const double z = cursor_.number();
+  std::array<float, 3> color = {};
   std::size_t extras = 0, missing = 0;
   for (; !cursor_.at_line_end(); ++extras) {
     if (!strict_ && is_no_number(cursor_)) {
       cursor_.token();
       ++missing;
     } else {
-      cursor_.number();
+      const double number = cursor_.number();
+      if (extras < color.size()) color[extras] = static_cast<float>(number);
     }
   }
   // One more number is a weight, three are a colour, four a colour and a weight or opacity.
@@ -118,8 +125,22 @@ void ObjParser::vertex() {
     cursor_.fail(ErrorCode::non_finite_coordinate, "the weight of the vertex is no finite number");
   }
   coloured_ += extras >= 3;
+  if (keeps_colors_ && extras == 3 && missing == 0) colors_.push_back(color);
   positions_.push_back({x, y, z});
   check_size(positions_.size(), "vertices", cursor_);
+}
+
+/// Some programs write whole numbers up to 255.
+std::vector<std::array<float, 3>> ObjParser::colors() {
+  if (colors_.size() != positions_.size()) return {};
+  float most = 0.0F;
+  for (const auto& color : colors_)
+    most = std::max({most, color[0], color[1], color[2]});
+  for (auto& color : colors_) {
+    for (float& channel : color)
+      channel = most > 1.0F ? channel / 255.0F : channel;
+  }
+  return std::move(colors_);
 }
 
 void ObjParser::face() {

@@ -21,7 +21,7 @@ template <class Values>
 class PlyBody {
  public:
   PlyBody(const PlyHeader& header, const Values& values, const ReadOptions& options)
-      : header_(header), values_(values), faces_(options.strict) {}
+      : header_(header), values_(values), keeps_colors_(options.colors), faces_(options.strict) {}
 
   ReadResult read() {
     const PlyElement* const vertices = header_.find("vertex");
@@ -47,7 +47,8 @@ class PlyBody {
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::ply,
             .notes = std::move(notes),
-            .groups = std::move(groups)};
+            .groups = std::move(groups),
+            .colors = std::move(colors_)};
   }
 
  private:
@@ -64,6 +65,10 @@ class PlyBody {
     }
     fail(ErrorCode::unsupported_format,
          "the faces are strips of triangles (tristrips); export single faces");
+  }
+
+  static bool is_color(const PlyProperty* property) {
+    return property != nullptr && !property->count_type;
   }
 
   static bool is_corner_list(const PlyProperty& property) {
@@ -96,8 +101,10 @@ class PlyBody {
 
   const PlyHeader& header_;
   Values values_;
+  bool keeps_colors_;
   std::uint64_t vertex_count_ = 0;
   std::vector<Vec3> positions_;
+  std::vector<std::array<float, 3>> colors_;
   FaceList faces_;
   std::vector<Index> corners_;
   GroupRuns groups_;
@@ -114,12 +121,23 @@ void PlyBody<Values>::read_vertices(const PlyElement& element) {
       fail(ErrorCode::malformed_file, "the vertices have no numbers x, y and z");
     }
   }
+  std::array<const PlyProperty*, 3> rgb = {element.find("red"), element.find("green"),
+                                           element.find("blue")};
+  if (!keeps_colors_ || !std::all_of(rgb.begin(), rgb.end(), is_color)) rgb = {};
   check_size(element.count, "vertices", values_.cursor());
   positions_.reserve(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     values_.begin_item("vertex", i);
     Vec3 p;
+    std::array<float, 3> color = {};
     for (const PlyProperty& property : element.properties) {
+      const auto channel = std::find(rgb.begin(), rgb.end(), &property);
+      if (channel != rgb.end()) {
+        const double most = property.type == PlyType::uint8 ? 255.0 : 1.0;
+        color[static_cast<std::size_t>(channel - rgb.begin())] =
+            static_cast<float>(values_.next(property.type) / most);
+        continue;
+      }
       double* const target = &property == xyz[0]   ? &p.x
                              : &property == xyz[1] ? &p.y
                              : &property == xyz[2] ? &p.z
@@ -135,6 +153,7 @@ void PlyBody<Values>::read_vertices(const PlyElement& element) {
       }
     }
     positions_.push_back(p);
+    if (rgb[0] != nullptr) colors_.push_back(color);
   }
 }
 

@@ -90,6 +90,55 @@ TEST(ReadFixedVertices, RefusesDrawingsThatCannotBeRead) {
   refused("v 0 nan 0\np 1\n", ErrorCode::non_finite_coordinate, 1, "nan");
 }
 
+/// The grid with the vertices of its first row red, and one hardly tinged.
+std::string painted_grid(bool as_ply, double red, double most) {
+  std::string text = as_ply ? "ply\nformat ascii 1.0\nelement vertex 25\nproperty float x\n"
+                              "property float y\nproperty float z\nproperty uchar red\n"
+                              "property uchar green\nproperty uchar blue\nelement face 1\n"
+                              "property list uchar int vertex_indices\nend_header\n"
+                            : "";
+  for (int v = 0; v < 25; ++v) {
+    const bool is_red = v < 5;
+    const std::string other = std::to_string(is_red ? 0.0 : v == 7 ? 0.95 * most : most);
+    const auto whole = [&](const std::string& number) {
+      return as_ply ? number.substr(0, number.find('.')) : number;
+    };
+    text += (as_ply ? "" : "v ") + std::to_string(v % 5) + " " + std::to_string(v / 5) + " 0 " +
+            whole(std::to_string(is_red ? red : most)) + " " + whole(other) + " " + whole(other) +
+            "\n";
+  }
+  return text + (as_ply ? "3 0 1 5\n" : "f 1 2 6\n");
+}
+
+TEST(ReadFixedVertices, TakesPaintedVertices) {
+  const auto painted_in = [](const std::string& text, const std::string& name) {
+    return parse_fixed_vertices(text, grid(), name).vertices;
+  };
+  const Indices row = {0, 1, 2, 3, 4};
+  EXPECT_EQ(painted_in(painted_grid(false, 0.5, 1.0), "a.obj"), row);
+  EXPECT_EQ(painted_in(painted_grid(false, 200.0, 255.0), "a.obj"), row);
+  EXPECT_EQ(painted_in(painted_grid(true, 200.0, 255.0), "a.ply"), row);
+  // Drawn points come first.
+  EXPECT_EQ(painted_in(painted_grid(false, 0.5, 1.0) + "p 25\n", "a.obj"), Indices{24});
+}
+
+TEST(ReadFixedVertices, RefusesColoursWithoutAGround) {
+  std::string text;
+  for (int v = 0; v < 5; ++v)
+    text += "v " + std::to_string(v) + " " + std::to_string(v * v) + " 0 0 0 0." +
+            std::to_string(v) + "\n";
+  const auto read = [&] { vertices_drawn(text + "f 1 2 3\n"); };
+  EXPECT_NE(error_of(read).message().find("no colour covers a quarter"), std::string::npos);
+  const auto partly = [&] { vertices_drawn("v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); };
+  EXPECT_NE(error_of(partly).message().find("not all vertices"), std::string::npos);
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(error_of([&] { parse_fixed_vertices(ply, grid(), "a.ply"); }).code(),
+            ErrorCode::malformed_file);
+}
+
 TEST(ReadFixedVertices, RefusesALineBetweenPartsOfTheMesh) {
   const Patch mesh(meshes::side_by_side(meshes::flat_grid(2, 2), meshes::flat_grid(2, 2)));
   const auto read = [&] { vertices_drawn("v 0 0 0\nv 1000 0 0\nl 1 1\nl 1 2\n", mesh); };

@@ -316,8 +316,16 @@ Vec2 middle_of(std::span<const Vec2> loop) {
   return 1.0 / static_cast<double>(loop.size()) * sum;
 }
 
-void check_holes(const PieceOutline& outline, const std::vector<Polygon>& result) {
+bool has_width(const Allowance& allowance, std::size_t loop) {
+  if (allowance.edge_widths.empty()) return true;
+  const std::vector<double>& widths = allowance.edge_widths[loop];
+  return std::any_of(widths.begin(), widths.end(), [](double width) { return width > 0.0; });
+}
+
+void check_holes(const PieceOutline& outline, const Allowance& allowance,
+                 const std::vector<Polygon>& result) {
   for (std::size_t k = 1; k < outline.loops.size(); ++k) {
+    if (!has_width(allowance, k)) continue;
     const auto is_left = [&](const Polygon& loop) {
       return signed_area(loop) < 0.0 && is_within(std::span(&outline.loops[k], 1), loop.front());
     };
@@ -359,7 +367,7 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
     append_blunt_corners(wide, ends, allowance, lines);
   }
   std::vector<Polygon> result = winding_union(lines);
-  if (allowance.holes) check_holes(outline, result);
+  if (allowance.holes) check_holes(outline, allowance, result);
   result.insert(result.end(), outline.loops.begin() + static_cast<std::ptrdiff_t>(widened),
                 outline.loops.end());
   return result;

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include <planish/mesh/inspect.h>
-#include <planish/mesh/symmetry.h>
 #include <planish/unfold/unfold.h>
 
 #include "core/job.h"
 #include "core/neumaier_sum.h"
 #include "mesh/match/symmetric_whole.h"
 #include "unfold/disk/disk.h"
+#include "unfold/disk_images.h"
 #include "unfold/open_border.h"
 #include "unfold/placement.h"
 #include "unfold/start/start.h"
@@ -24,7 +24,6 @@
 #include "unfold/stretch/open_holes.h"
 #include "unfold/stretch/seam_system.h"
 #include "unfold/stretch/spread_stretch.h"
-#include "unfold/symmetric_mean.h"
 #include "unfold/unfold_within_limits.h"
 
 namespace planish {
@@ -239,51 +238,97 @@ std::vector<Vec2> in_disk_units(const Disk& disk, std::span<const Vec2> position
   return flat;
 }
 
-/// The mirror images of a disk's vertices; empty where it has none.
-struct DiskImages {
-  std::vector<std::size_t> of = {};  ///< each vertex
-  std::vector<int> side = {};        ///< of the plane: 1 or -1, 0 on it
+/// The steps of unfolding a patch.
+class Unfolding {
+ public:
+  /// All must outlive it.
+  Unfolding(const Patch& patch, const Disk& disk, const UnfoldOptions& options,
+            const DiskImages& images, const Starts& starts, ThreadPool& pool)
+      : patch_(patch),
+        disk_(disk),
+        options_(options),
+        images_(images),
+        starts_(starts),
+        pool_(pool) {}
+
+  /// The layout of least stretch, whose holes do not cross themselves where that can be.
+  LeastStretch with_least_stretch(PartsOfJob& parts) {
+    const bool goes_on = options_.match_seams || options_.limits.any() || !options_.least_stretch;
+    std::vector<Vec2> start = with_images(disk_, starts_.find(), images_);
+    pool_.stop_if_cancelled();
+    system_ = make_system(disk_, nullptr, pool_);
+    pool_.stop_if_cancelled();
+    LeastStretch flat =
+        minimise_stretch(disk_, *system_, std::move(start), options_.max_iterations,
+                         unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
+    if (disk_.hole_count() > 0 && border_crosses_itself(disk_, flat.flat)) {
+      const auto step = unfolding_steps(parts.next(0.5), k_step_of_stretch);
+      if (auto open = starts_.with_holes_open(options_.max_iterations, step))
+        flat = *std::move(open);
+    }
+    flat.flat = with_images(disk_, std::move(flat.flat), images_);
+    // What follows has its own; both at once would take twice the memory.
+    if (options_.match_seams || options_.limits.bounds_edges()) system_.reset();
+    return flat;
+  }
+
+  /// Makes the border as long as seams want it; none where that cannot be.
+  std::optional<HeldBorder> match_seams(LeastStretch& flat, Pattern& pattern,
+                                        const std::function<void()>& after_step) const {
+    HeldBorder border(disk_, wanted_lengths(patch_.mesh(), disk_, options_.free_edges), flat.flat);
+    auto matched = with_matched_border(disk_, starts_, border, flat, options_.max_iterations, pool_,
+                                       after_step);
+    if (!matched) {
+      leave_unmatched(options_);
+      pattern.is_unmatchable = true;
+      return std::nullopt;
+    }
+    pattern.unmatched_least_stretch = in_mesh_order(patch_, disk_, flat.flat);
+    flat = *std::move(matched);
+    return border;
+  }
+
+  /// From the layout of least stretch on within the limits, or with its stretch spread; the same
+  /// where neither asks for a step.
+  LeastStretch as_asked(const LeastStretch& flat, const HeldBorder* held,
+                        const std::function<void()>& after_step) {
+    const TriMesh& mesh = patch_.mesh();
+    const StrainLimits& limits = options_.limits;
+    LeastStretch other = flat;
+    if (limits.bounds_edges()) {
+      other = unfold_within_limits(mesh, disk_, held, flat, limits, options_.max_iterations, pool_,
+                                   after_step);
+    }
+    const bool keeps_rms = !limits.bounds_edges() && limits.rms > 0.0;
+    if (!keeps_rms && options_.least_stretch) return other;
+    if (!keeps_rms && other.iterations != flat.iterations) return other;
+    if (!system_) system_ = make_system(disk_, held, pool_);
+    if (keeps_rms) other = within_rms(mesh, disk_, *system_, flat, limits.rms, after_step);
+    if (!options_.least_stretch && other.iterations == flat.iterations)
+      other = with_stretch_spread(mesh, disk_, *system_, flat, limits, after_step);
+    return other;
+  }
+
+  /// Moves crossings of the border by a hair apart.
+  void open_crossings(std::vector<Vec2>& flat, Pattern& pattern) const {
+    const double wanted = disk_.area_scale * (disk_.box_scale * options_.open_crossings);
+    std::optional<OpenBorder> open = open_border(disk_, flat, std::min(wanted, k_most_opened));
+    if (!open) return;
+    flat = with_images(disk_, std::move(open->flat), images_);
+    pattern.overlaps = !images_.of.empty() && border_crosses_itself(disk_, flat);
+    pattern.opened = {open->crossings, in_model_units(disk_, {open->largest_move, 0.0}).x,
+                      disk_.vertex_of[open->vertex]};
+  }
+
+ private:
+  const Patch& patch_;
+  const Disk& disk_;
+  const UnfoldOptions& options_;
+  const DiskImages& images_;
+  const Starts& starts_;
+  ThreadPool& pool_;
+  std::unique_ptr<StretchSystem> system_ = nullptr;
 };
-
-DiskImages images_in(const Patch& patch, const Disk& disk, const std::optional<Plane>& plane) {
-  if (!plane) return {};
-  const Symmetry symmetry = symmetry_in(patch, *plane);
-  if (symmetry.image.empty()) return {};
-  std::vector<std::size_t> number(patch.vertex_count(), 0);
-  for (std::size_t v = 0; v < disk.vertex_count; ++v)
-    number[disk.vertex_of[v]] = v;
-  DiskImages images;
-  for (const Index v : disk.vertex_of) {
-    const Index w = symmetry.image[v];
-    const double higher = height_over(symmetry.plane, patch.positions()[v]) -
-                          height_over(symmetry.plane, patch.positions()[w]);
-    images.of.push_back(number[w]);
-    // Both sides of a cut along the plane are at one place.
-    const bool is_above = higher > 0.0 || (higher == 0.0 && v < w);
-    images.side.push_back(v == w ? 0 : is_above ? 1 : -1);
-  }
-  return images;
-}
-
-/// Steps of a symmetric layout are symmetric but for rounding: the mean of both sides is so. Where
-/// that turns triangles over, as of a layout that is farther from it, one side and its mirror image
-/// are taken, if that does not.
-std::vector<Vec2> with_images(const Disk& disk, std::vector<Vec2> flat, const DiskImages& images) {
-  if (images.of.empty()) return flat;
-  std::vector<Vec2> partners;
-  partners.reserve(flat.size());
-  for (const std::size_t v : images.of)
-    partners.push_back(flat[v]);
-  const bool is_upright = all_upright(disk, flat);
-  for (const int kept : {0, 1, -1}) {
-    std::vector<double> shares(flat.size(), 0.5);
-    for (std::size_t v = 0; v < shares.size(); ++v)
-      shares[v] -= 0.5 * kept * images.side[v];
-    std::vector<Vec2> mean = symmetric_mean(flat, partners, shares);
-    if (!is_upright || all_upright(disk, mean)) return mean;
-  }
-  return flat;
-}
 
 /// How the whole of a half is unfolded as the options say of the half.
 UnfoldOptions of_whole(UnfoldOptions options, const SymmetricWhole& whole) {
@@ -338,74 +383,26 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  const bool bounds_edges = options.limits.bounds_edges();
-  const bool goes_on = options.match_seams || options.limits.any() || !options.least_stretch;
-  PartsOfJob parts(context);
   const DiskImages images = images_in(patch, disk, options.symmetric_in);
   const Starts starts(patch, disk, pool);
-  std::vector<Vec2> start = with_images(disk, starts.find(), images);
-  pool.stop_if_cancelled();
-  std::unique_ptr<StretchSystem> system = make_system(disk, nullptr, pool);
-  pool.stop_if_cancelled();
-  LeastStretch flat =
-      minimise_stretch(disk, *system, std::move(start), options.max_iterations,
-                       unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
-  if (disk.hole_count() > 0 && border_crosses_itself(disk, flat.flat)) {
-    const auto step = unfolding_steps(parts.next(0.5), k_step_of_stretch);
-    if (auto open = starts.with_holes_open(options.max_iterations, step)) flat = *std::move(open);
-  }
-  flat.flat = with_images(disk, std::move(flat.flat), images);
-  // What follows has its own; both at once would take twice the memory.
-  if (options.match_seams || bounds_edges) system.reset();
+  Unfolding work{patch, disk, options, images, starts, pool};
+  PartsOfJob parts(context);
+  LeastStretch flat = work.with_least_stretch(parts);
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
   Pattern pattern;
-  std::optional<HeldBorder> border;
-  if (options.match_seams) {
-    border.emplace(disk, wanted_lengths(patch.mesh(), disk, options.free_edges), flat.flat);
-    auto matched =
-        with_matched_border(disk, starts, *border, flat, options.max_iterations, pool, after_step);
-    if (matched) {
-      pattern.unmatched_least_stretch = in_mesh_order(patch, disk, flat.flat);
-      flat = *std::move(matched);
-    } else {
-      leave_unmatched(options);
-      pattern.is_unmatchable = true;
-      border.reset();
-    }
-  }
+  const std::optional<HeldBorder> border =
+      options.match_seams ? work.match_seams(flat, pattern, after_step) : std::nullopt;
   const HeldBorder* held = border ? &*border : nullptr;
-  const auto system_now = [&]() -> StretchSystem& {
-    if (!system) system = make_system(disk, held, pool);
-    return *system;
-  };
-  LeastStretch other = flat;
-  if (bounds_edges) {
-    other = unfold_within_limits(patch.mesh(), disk, held, flat, options.limits,
-                                 options.max_iterations, pool, after_step);
-  } else if (options.limits.rms > 0.0) {
-    other = within_rms(patch.mesh(), disk, system_now(), flat, options.limits.rms, after_step);
-  }
-  if (!options.least_stretch && other.iterations == flat.iterations)
-    other = with_stretch_spread(patch.mesh(), disk, system_now(), flat, options.limits, after_step);
+  LeastStretch other = work.as_asked(flat, held, after_step);
   if (other.iterations > flat.iterations) {
     pattern.least_stretch = in_mesh_order(patch, disk, flat.flat);
     flat = std::move(other);
   }
-
   flat.flat = with_images(disk, std::move(flat.flat), images);
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = border_crosses_itself(disk, flat.flat);
-  if (pattern.overlaps && held == nullptr) {
-    const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
-    const double most = std::min(wanted, k_most_opened);
-    if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {
-      flat.flat = with_images(disk, std::move(open->flat), images);
-      pattern.overlaps = !images.of.empty() && border_crosses_itself(disk, flat.flat);
-      pattern.opened = {open->crossings, in_model_units(disk, {open->largest_move, 0.0}).x,
-                        disk.vertex_of[open->vertex]};
-    }
-  }
+  if (pattern.overlaps && held == nullptr) work.open_crossings(flat.flat, pattern);
   return placed(std::move(pattern), patch, disk, std::move(flat.flat));
 }
 

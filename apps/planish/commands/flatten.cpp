@@ -142,69 +142,42 @@ std::vector<std::string> input_extensions() {
   return extensions;
 }
 
-CommandResult run_flatten(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+FlattenRequest flatten_request_from(const Arguments& arguments, Session& session) {
   FlattenOptions options = flatten_options_from(arguments);
   ReportPageOptions words{.colors = colors_from(arguments),
                           .command = command_line(flatten_command(), arguments),
                           .reference = session.silent_context()};
   PatternFiles pattern = pattern_files_from(arguments);
-  const auto nest = nest_from(arguments, pattern);
-  const fs::path folder = folder_from(arguments);
+  auto nest = nest_from(arguments, pattern);
+  return {folder_from(arguments), std::move(options), std::move(pattern), std::move(words),
+          std::move(nest)};
+}
 
-  ProductInput read =
-      read_product(session, arguments.operands, arguments, arguments.has("--product"));
-  if (read.is_batch) refuse_seam_flags(arguments);
-  if (!read.is_described) note_idle_evolve_flags(session, arguments);
-  const std::optional<CutOutcome> cut = cut_product(read, arguments, session);
+/// The result of the one patch of a run. What is drawn on the model joins the pattern's
+/// annotations.
+FlattenReport report_of_one(FlattenRequest& request, ProductInput& read, const Arguments& arguments,
+                            Session& session) {
+  FlattenOptions& options = request.options;
+  const std::string& name = read.whole.pieces.front();
+  const Patch patch(std::move(read.whole.mesh));
+  if (options.may_change()) note_obstruction(session, patch);
+  if (!options.remesh && options.may_change())
+    note_memory(session, options.method.value_or(options.as_needed), patch.vertex_count());
+  options.constraints = constraints_from(arguments, patch, session);
   options.constraints.symmetric_in = read.symmetric_in;
-  if (read.patches.size() > 1 || read.is_described) rename_pieces(read, arguments);
-  if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
-    check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
-    return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},
-                                   std::move(read), arguments),
-                       arguments, session);
-  }
-  refuse_product_flags(arguments, !read.left_out.empty());
-  const std::string& path = read.path;
-  Model input = std::move(read.whole);
-  const MeshFormat format = output_format(input.format);
-  const WrittenFiles paths = paths_in(folder, format, pattern, options.may_change(), arguments);
-  refuse_shared_paths(paths);
-  const std::string size = size_text(input.mesh);
-  const std::string& name = input.pieces.front();
-  const auto report = about(path, [&] {
-    const Patch patch(std::move(input.mesh));
-    if (options.may_change()) note_obstruction(session, patch);
-    if (!options.remesh && options.may_change())
-      note_memory(session, options.method.value_or(options.as_needed), patch.vertex_count());
-    options.constraints = constraints_from(arguments, patch, session);
-    options.constraints.symmetric_in = read.symmetric_in;
-    pattern.annotations =
-        annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
-    options.keep = named_vertices(pattern.annotations);
-    check_pattern_size(patch, name, plan_of(pattern, options.unit, nest.get()), session);
-    Context context = session.job_context(path);
-    if (!options.remesh) context = offering_remesh(std::move(context), patch, session);
-    return with_turned(flatten(patch, name, options, context), input.turned);
-  });
+  PatternOptions& annotations = request.pattern.annotations;
+  annotations = annotations_on(std::move(annotations), arguments, patch, name, session);
+  options.keep = named_vertices(annotations);
+  check_pattern_size(patch, name, plan_of(request.pattern, options.unit, request.nest.get()),
+                     session);
+  Context context = session.job_context(read.path);
+  if (!options.remesh) context = offering_remesh(std::move(context), patch, session);
+  return with_turned(flatten(patch, name, options, context), read.whole.turned);
+}
 
-  const DrawnPattern drawn =
-      about(path, [&] { return drawn_pattern(report, pattern.annotations); });
-  std::optional<NestOutcome> nesting;
-  std::optional<LayoutReport> layout;
-  if (nest) {
-    nesting = about(path, [&] {
-      return nest_patches({nest_patch(report, drawn)}, options.unit, *nest, folder, name, session);
-    });
-    layout = nesting->layout;
-    words.sheet = {true, nesting->material,
-                   nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
-  }
-  const std::string json = json_report(report, paths, figures_of_cut(cut), layout);
-  std::vector<OutputFile> files =
-      about(path, [&] { return files_of(report, drawn, paths, format, pattern, words, json); });
-  if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
+void note_result(const FlattenReport& report, const DrawnPattern& drawn,
+                 const PatternFiles& pattern, const WrittenFiles& paths, const Arguments& arguments,
+                 Session& session) {
   // The text itself asks about the unit of what is far too small or large.
   const bool is_unit_settled = arguments.has("--unit") || !unit_question(report.unfold).empty();
   warn_of_pattern(session, report.unfold, is_unit_settled);
@@ -214,10 +187,43 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   note_empty_layers(session, drawn.sheet, pattern.output);
   if (paths.contains(role_of("pattern", PatternFormat::plt)))
     note_plotter_reach(session, report.unfold);
+}
+
+CommandResult flatten_one(FlattenRequest request, ProductInput read,
+                          const std::optional<CutOutcome>& cut, const Arguments& arguments,
+                          Session& session) {
+  const PatternFiles& pattern = request.pattern;
+  const std::string &path = read.path, name = read.whole.pieces.front();
+  const MeshFormat format = output_format(read.whole.format);
+  const WrittenFiles paths =
+      paths_in(request.folder, format, pattern, request.options.may_change(), arguments);
+  refuse_shared_paths(paths);
+  const std::string size = size_text(read.whole.mesh);
+  const FlattenReport report =
+      about(path, [&] { return report_of_one(request, read, arguments, session); });
+  const DrawnPattern drawn =
+      about(path, [&] { return drawn_pattern(report, pattern.annotations); });
+  std::optional<NestOutcome> nesting;
+  std::optional<LayoutReport> layout;
+  if (request.nest) {
+    nesting = about(path, [&] {
+      return nest_patches({nest_patch(report, drawn)}, request.options.unit, *request.nest,
+                          request.folder, name, session);
+    });
+    layout = nesting->layout;
+    request.words.sheet = {
+        true, nesting->material,
+        nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
+  }
+  const std::string json = json_report(report, paths, figures_of_cut(cut), layout);
+  std::vector<OutputFile> files = about(
+      path, [&] { return files_of(report, drawn, paths, format, pattern, request.words, json); });
+  if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
+  note_result(report, drawn, pattern, paths, arguments, session);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
-  CommandResult outcome = with_target_checked({text + written_text(folder, paths, files), json},
-                                              arguments, report.evolve);
+  CommandResult outcome = with_target_checked(
+      {text + written_text(request.folder, paths, files), json}, arguments, report.evolve);
   note_spelling(session, words_of(name, pattern.annotations.label), pattern.formats,
                 pattern.output);
   note_divided_pages(session, files, pattern.output);
@@ -225,10 +231,30 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   written.reserve(files.size());
   for (const OutputFile& file : files)
     written.push_back(file.path);
-  warn_of_left(session, folder, left_of_earlier_runs(folder, written));
-  session.write(files, folder);
+  warn_of_left(session, request.folder, left_of_earlier_runs(request.folder, written));
+  session.write(files, request.folder);
   open_if_asked(arguments, path_of(paths.at("report_html")), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
+}
+
+CommandResult run_flatten(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  FlattenRequest request = flatten_request_from(arguments, session);
+  ProductInput read =
+      read_product(session, arguments.operands, arguments, arguments.has("--product"));
+  if (read.is_batch) refuse_seam_flags(arguments);
+  if (!read.is_described) note_idle_evolve_flags(session, arguments);
+  const std::optional<CutOutcome> cut = cut_product(read, arguments, session);
+  request.options.constraints.symmetric_in = read.symmetric_in;
+  const bool is_product = read.patches.size() > 1 || read.is_described;
+  if (is_product) rename_pieces(read, arguments);
+  if (is_product || read.patches.front().failure) {
+    check_copies_of(read.patches.size(),
+                    plan_of(request.pattern, request.options.unit, request.nest.get()));
+    return run_product(product_job(request, std::move(read), arguments), arguments, session);
+  }
+  refuse_product_flags(arguments, !read.left_out.empty());
+  return flatten_one(std::move(request), std::move(read), cut, arguments, session);
 }
 
 }  // namespace

@@ -7,15 +7,23 @@
 namespace planish {
 
 AngleJacobian::AngleJacobian(std::vector<std::span<const Index>> rings,
-                             std::vector<unsigned char> movable)
-    : AngleJacobian(std::move(rings), std::move(movable), {}) {}
+                             std::vector<unsigned char> movable, std::vector<HoleBorder> holes)
+    : AngleJacobian(std::move(rings), std::move(movable), std::move(holes), {}) {}
 
 AngleJacobian::AngleJacobian(std::vector<std::span<const Index>> rings,
-                             std::vector<unsigned char> movable, std::vector<Index> vertices)
-    : vertex_of_(std::move(vertices)), rings_(std::move(rings)), movable_(std::move(movable)) {
+                             std::vector<unsigned char> movable, std::vector<HoleBorder> holes,
+                             std::vector<Index> vertices)
+    : vertex_of_(std::move(vertices)),
+      rings_(std::move(rings)),
+      movable_(std::move(movable)),
+      holes_(std::move(holes)) {
   row_start_.push_back(0);
   for (const auto& ring : rings_)
     row_start_.push_back(row_start_.back() + 1 + ring.size());
+  for (const HoleBorder& hole : holes_) {
+    for (int row = 0; row < 3; ++row)
+      row_start_.push_back(row_start_.back() + hole.around.size());
+  }
   if (row_start_.back() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
   gradients_.resize(row_start_.back());
   find_columns();
@@ -26,7 +34,18 @@ AngleJacobian AngleJacobian::part(std::span<const Index> rows,
   std::vector<std::span<const Index>> rings;
   for (const Index v : rows)
     rings.push_back(rings_[v]);
-  return {std::move(rings), {movable.begin(), movable.end()}, {rows.begin(), rows.end()}};
+  return {std::move(rings), {movable.begin(), movable.end()}, {}, {rows.begin(), rows.end()}};
+}
+
+/// Minus the factors times the gradient.
+void AngleJacobian::add_to_hole_rows(std::size_t hole, Index v,
+                                     const std::array<double, 3>& factors, Vec3 gradient) {
+  if (!is_movable(v)) return;
+  const std::vector<Index>& around = holes_[hole].around;
+  const auto place = std::lower_bound(around.begin(), around.end(), v) - around.begin();
+  for (std::size_t row = 0; row < 3; ++row)
+    gradients_[row_start_[angle_count() + 3 * hole + row] + static_cast<std::size_t>(place)] +=
+        -factors[row] * gradient;
 }
 
 void AngleJacobian::find_columns() {
@@ -38,6 +57,13 @@ void AngleJacobian::find_columns() {
       for (const Index w : rings_[row]) {
         ++entry;
         if (is_movable(w)) visit(row, w, entry);
+      }
+    }
+    for (std::size_t row = rings_.size(); row < row_count(); ++row) {
+      std::size_t entry = row_start_[row];
+      for (const Index v : holes_[(row - rings_.size()) / 3].around) {
+        if (is_movable(v)) visit(static_cast<Index>(row), v, entry);
+        ++entry;
       }
     }
   };

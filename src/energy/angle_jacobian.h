@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "core/thread_pool.h"
+#include "energy/hole_closing.h"
 #include "geometry/angle_between.h"
 #include "geometry/angle_gradient.h"
 
@@ -19,29 +20,37 @@ namespace planish {
 /// The angle sums theta of the inner vertices, one row each, and A = d theta / d x: how they change
 /// with the positions of the movable ones, three columns each (docs/methods/least_norm.md): inner
 /// vertices, and those of the border where they may move. Inner vertices have the first numbers;
-/// rows of a part have their own. Columns of what may not move hold zeros.
+/// rows of a part have their own. Columns of what may not move hold zeros. Behind the angle sums
+/// are three rows for each hole that is to close: minus the derivative of HoleLayout::defects(),
+/// as the angle sums' is that of the angle defects.
 class AngleJacobian {
  public:
   /// Which vertices are in which rows; the gradients are of no use before update().
   /// @param rings the neighbours of each inner vertex, in turn; must outlive it
   /// @param movable by column whether a vertex may move: by inner vertex, and by that of the border
   ///   if any of them may
-  AngleJacobian(std::vector<std::span<const Index>> rings, std::vector<unsigned char> movable);
+  /// @param holes that are to close
+  AngleJacobian(std::vector<std::span<const Index>> rings, std::vector<unsigned char> movable,
+                std::vector<HoleBorder> holes = {});
 
-  /// Some of the rows, with columns for some of the vertices. Its gradients are of no use before
-  /// update().
+  /// Some of the angle sums, with columns for some of the vertices. Its gradients are of no use
+  /// before update().
   /// @param rows vertices whose rows these are, increasing
   /// @param movable by column, true only where it is true here
   AngleJacobian part(std::span<const Index> rows, std::span<const unsigned char> movable) const;
 
-  /// The angle sum of a row. @param at the position of a vertex, by its number
+  /// @param row of an angle sum
+  /// @param at the position of a vertex, by its number
   template <class At>
   double angle_sum(Index row, const At& at) const;
   /// Takes the gradients there.
   template <class At>
   void update(const At& at, ThreadPool& pool);
 
-  std::size_t row_count() const { return rings_.size(); }
+  std::size_t row_count() const { return angle_count() + 3 * holes_.size(); }
+  /// Rows that are of angle sums: the first ones.
+  std::size_t angle_count() const { return rings_.size(); }
+  const std::vector<HoleBorder>& holes() const { return holes_; }
   /// Inner vertices, and those of the border if any of them may move.
   std::size_t column_count() const { return movable_.size(); }
   /// True for vertices that nothing holds.
@@ -71,13 +80,19 @@ class AngleJacobian {
 
  private:
   AngleJacobian(std::vector<std::span<const Index>> rings, std::vector<unsigned char> movable,
-                std::vector<Index> vertices);
+                std::vector<HoleBorder> holes, std::vector<Index> vertices);
   void find_columns();
+  void add_to_hole_rows(std::size_t hole, Index v, const std::array<double, 3>& factors,
+                        Vec3 gradient);
+  template <class At>
+  void update_hole(std::size_t hole, const At& at);
 
   std::vector<Index> vertex_of_;  // by row; none: the same numbers
   std::vector<std::span<const Index>> rings_;
   std::vector<unsigned char> movable_;
-  std::vector<std::size_t> row_start_;  // first entry of each row: the vertex, then its ring
+  std::vector<HoleBorder> holes_;
+  // First entry of each row: the vertex, then its ring; of a hole the vertices around it.
+  std::vector<std::size_t> row_start_;
   std::vector<Vec3> gradients_;
   std::vector<std::size_t> column_start_;
   std::vector<Entry> columns_;
@@ -119,6 +134,34 @@ void AngleJacobian::update(const At& at, ThreadPool& pool) {
       }
     }
   });
+  for (std::size_t hole = 0; hole < holes_.size(); ++hole)
+    update_hole(hole, at);
+}
+
+/// Of the angles at its border and the lengths of its edges.
+template <class At>
+void AngleJacobian::update_hole(std::size_t hole, const At& at) {
+  const HoleBorder& border = holes_[hole];
+  const HoleLayout layout = laid_out(border, at);
+  const double size = layout.closed().size;
+  const std::size_t first_row = angle_count() + 3 * hole;
+  std::fill(gradients_.begin() + static_cast<std::ptrdiff_t>(row_start_[first_row]),
+            gradients_.begin() + static_cast<std::ptrdiff_t>(row_start_[first_row + 3]), Vec3{});
+  for (std::size_t b = 0; b < border.loop.size(); ++b) {
+    const Index v = border.loop[b], next = border.loop[b + 1 < border.loop.size() ? b + 1 : 0];
+    const std::vector<Index>& ring = border.rings[b];
+    const std::array<double, 3> by_angle = layout.by_angle(b, size);
+    for (std::size_t j = 0; j + 1 < ring.size(); ++j) {
+      const AngleGradient corner = angle_gradient(at(v), at(ring[j]), at(ring[j + 1]));
+      add_to_hole_rows(hole, v, by_angle, corner.at_p);
+      add_to_hole_rows(hole, ring[j], by_angle, corner.at_q);
+      add_to_hole_rows(hole, ring[j + 1], by_angle, corner.at_r);
+    }
+    const Vec3 along = at(next) - at(v), direction = (1.0 / norm(along)) * along;
+    const std::array<double, 3> by_length = layout.by_length(b, size);
+    add_to_hole_rows(hole, next, by_length, direction);
+    add_to_hole_rows(hole, v, by_length, -direction);
+  }
 }
 
 }  // namespace planish

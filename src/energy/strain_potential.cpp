@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/neumaier_sum.h"
 #include "geometry/cotangents.h"
@@ -21,11 +22,15 @@ constexpr double k_accuracy = 1e-8;  // of chi, on dense patches
 SparseMatrix pattern_of(const AngleJacobian& jacobian, std::size_t rows) {
   const std::size_t n = jacobian.row_count();
   return sparse_matrix(rows, n, [&](const auto& add) {
-    for (Index v = 0; v < n; ++v) {
+    for (Index v = 0; v < jacobian.angle_count(); ++v) {
       add(v, v, 0.0);
       for (const Index w : jacobian.ring(v)) {
         if (w < rows) add(w, v, 0.0);
       }
+    }
+    for (std::size_t column = jacobian.angle_count(); column < n; ++column) {
+      for (const Index w : jacobian.holes()[(column - jacobian.angle_count()) / 3].around)
+        add(w, column, 0.0);
     }
   });
 }
@@ -65,20 +70,34 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, std::span<const 
                             border == BoundaryCondition::free ? x.size() : jacobian.row_count())) {
   const std::size_t n = jacobian.row_count();
   if (n == 0) return;
+  for (const HoleBorder& hole : jacobian.holes()) {
+    is_at_hole_.resize(x.size(), 0);
+    for (const Index b : hole.loop)
+      is_at_hole_[b] = 1;
+  }
   fill(x, pool);
   const SparseMatrix square = SparseMatrix(stiffness_.transpose()) * stiffness_;
   square_ = square.triangularView<Eigen::Lower>();
   pool.stop_if_cancelled();
-  const bool free = border == BoundaryCondition::free;
-  solver_.emplace(matrix(), nested_dissection(x.first(n), graph_of(free ? square : stiffness_)),
-                  precision, &pool);
+  solver_.emplace(matrix(), elimination_order(x), precision, &pool);
   solvable_ = solver_->factor(matrix(), pool);
+}
+
+/// The rows of the holes, which meet many others, come last.
+std::vector<Index> StrainPotential::elimination_order(std::span<const Vec3> x) const {
+  const auto n = static_cast<Eigen::Index>(jacobian_.angle_count());
+  const SparseMatrix of_vertices = matrix().topLeftCorner(n, n);
+  std::vector<Index> order = nested_dissection(
+      x.first(jacobian_.angle_count()), graph_of(of_vertices.selfadjointView<Eigen::Lower>()));
+  for (std::size_t row = jacobian_.angle_count(); row < jacobian_.row_count(); ++row)
+    order.push_back(static_cast<Index>(row));
+  return order;
 }
 
 void StrainPotential::fill(std::span<const Vec3> x, ThreadPool& pool) {
   double* values = stiffness_.valuePtr();
   const double at_border = std::sqrt(ease_);
-  pool.for_ranges(jacobian_.row_count(), k_grain, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(jacobian_.angle_count(), k_grain, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3> ring;
     for (std::size_t v = begin; v < end; ++v) {
       ring.clear();
@@ -93,11 +112,48 @@ void StrainPotential::fill(std::span<const Vec3> x, ThreadPool& pool) {
         const std::size_t place =
             place_in_column(stiffness_, static_cast<int>(neighbours[j]), column);
         if (place == k_nowhere) continue;
-        values[place] =
-            neighbours[j] < jacobian_.row_count() ? -weights[j] : -at_border * weights[j];
+        values[place] = is_eased(neighbours[j]) ? -at_border * weights[j] : -weights[j];
       }
     }
   });
+  polygons_.clear();
+  for (std::size_t hole = 0; hole < jacobian_.holes().size(); ++hole)
+    fill_hole(hole, x);
+}
+
+/// The rows of K at its border, summed, and weighed by the corners of its polygon, less what phi
+/// does to the lengths of its edges.
+void StrainPotential::fill_hole(std::size_t hole, std::span<const Vec3> x) {
+  const HoleBorder& border = jacobian_.holes()[hole];
+  const auto at = [&](Index v) { return x[v]; };
+  const HoleLayout::Polygon& polygon = polygons_.emplace_back(laid_out(border, at).closed());
+  const int first = static_cast<int>(jacobian_.angle_count() + 3 * hole);
+  const double at_outline = std::sqrt(ease_);
+  double* values = stiffness_.valuePtr();
+  const int* start = stiffness_.outerIndexPtr() + first;
+  std::fill(values + start[0], values + start[3], 0.0);
+  const auto add = [&](int column, Index v, double value) {
+    values[place_in_column(stiffness_, static_cast<int>(v), first + column)] +=
+        is_eased(v) ? at_outline * value : value;
+  };
+  for (std::size_t b = 0; b < border.loop.size(); ++b) {
+    const Index v = border.loop[b];
+    std::vector<Vec3> ring;
+    for (const Index w : border.rings[b])
+      ring.push_back(x[w]);
+    const std::vector<double> weights = cotangent_weights(x[v], ring, RingEnds::open);
+    const Vec2 place = polygon.places[b], normal = polygon.normals[b];
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      const Index w = border.rings[b][j];
+      for (const auto& [column, factor] :
+           {std::pair{0, 1.0}, std::pair{1, place.x}, std::pair{2, place.y}}) {
+        add(column, v, factor * weights[j]);
+        add(column, w, -factor * weights[j]);
+      }
+    }
+    add(1, v, -normal.x);
+    add(2, v, -normal.y);
+  }
 }
 
 void StrainPotential::take_square(ThreadPool& pool) {

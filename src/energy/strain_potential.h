@@ -29,11 +29,16 @@ enum class BoundaryCondition {
 /// - dirichlet: 0, so there is one such phi. A system of K, the metric that of the patch at first.
 /// - free: such that |phi| is smallest, phi = K^T (K K^T)^-1 d. Then it tells the strain of the
 ///   pattern of least stretch: see edge_strain_of().
+///
+/// Where the border is free, K and d have three more rows for each hole of the jacobian, so that
+/// its border closes in the pattern: d is what HoleLayout::defects() gives, K how phi changes that
+/// (docs/methods/smooth.md). The polygons of the holes are taken with K.
 class StrainPotential {
  public:
   /// Takes K from a surface: positive definite, as of finite elements, where each part of it has a
   /// border.
-  /// @param jacobian has the rings of the inner vertices; must outlive it
+  /// @param jacobian has the rings of the inner vertices, and holes only where the border is free;
+  ///   must outlive it
   /// @param x the positions of all vertices, inner ones first
   /// @param precision in which K is factored
   StrainPotential(const AngleJacobian& jacobian, std::span<const Vec3> x, ThreadPool& pool,
@@ -43,8 +48,8 @@ class StrainPotential {
   bool solvable() const { return solvable_; }
   BoundaryCondition border() const { return border_; }
   /// From the next update on, the squares of phi at a free border are divided by `ease`, as if the
-  /// border were stiffer. There of() then returns phi / sqrt(ease): strain is overestimated, if
-  /// anything.
+  /// border were stiffer; but not at holes, which then could not close. There of() then returns
+  /// phi / sqrt(ease): strain is overestimated, if anything.
   /// @param ease above 0, at most 1: as at first
   void set_boundary_compliance(double ease) { ease_ = ease; }
   /// Takes K from a surface with other positions.
@@ -53,11 +58,16 @@ class StrainPotential {
   void release();
   /// Factors the K of the last update.
   void factor(ThreadPool& pool);
-  /// @param defects by inner vertex, radians
+  /// The right side: angle defects, then those of the holes.
+  /// @param of_vertices angle defects by inner vertex, radians
+  /// @param at the position of a vertex
+  template <class At>
+  Eigen::VectorXd defects(Eigen::VectorXd of_vertices, const At& at) const;
+  /// @param defects by row, as from defects()
   /// @return by inner vertex; where the border is free by vertex. @pre the factor is there
   Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool);
 
-  /// K^T: a row for each value of phi, a column for each inner vertex.
+  /// K^T: a row for each value of phi, a column for each inner vertex and three for each hole.
   const SparseMatrix& stiffness() const { return stiffness_; }
   /// K K^T, its lower half: |phi|^2 = d . square^-1 d.
   const SparseMatrix& square() const { return square_; }
@@ -67,16 +77,36 @@ class StrainPotential {
   const SparseMatrix& matrix() const {
     return border_ == BoundaryCondition::free ? square_ : stiffness_;
   }
+  /// On the border, but not on that of a hole.
+  bool is_eased(Index v) const {
+    return v >= jacobian_.angle_count() && (is_at_hole_.empty() || is_at_hole_[v] == 0);
+  }
   void fill(std::span<const Vec3> x, ThreadPool& pool);
+  void fill_hole(std::size_t hole, std::span<const Vec3> x);
+  std::vector<Index> elimination_order(std::span<const Vec3> x) const;
   void take_square(ThreadPool& pool);
 
   const AngleJacobian& jacobian_;
   BoundaryCondition border_;
   double ease_ = 1.0;
-  SparseMatrix stiffness_, square_;  // K^T, K K^T
-  std::optional<MixedLdlt> solver_;  // of K, of K K^T where the border is free
+  std::vector<unsigned char> is_at_hole_;      // by vertex; none where there are no holes
+  std::vector<HoleLayout::Polygon> polygons_;  // by hole
+  SparseMatrix stiffness_, square_;            // K^T, K K^T
+  std::optional<MixedLdlt> solver_;            // of K, of K K^T where the border is free
   bool solvable_ = false;
 };
+
+template <class At>
+Eigen::VectorXd StrainPotential::defects(Eigen::VectorXd of_vertices, const At& at) const {
+  const std::vector<HoleBorder>& holes = jacobian_.holes();
+  Eigen::Index row = of_vertices.size();
+  of_vertices.conservativeResize(row + 3 * static_cast<Eigen::Index>(holes.size()));
+  for (std::size_t hole = 0; hole < holes.size(); ++hole) {
+    for (const double defect : laid_out(holes[hole], at).defects(polygons_[hole].size))
+      of_vertices[row++] = defect;
+  }
+  return of_vertices;
+}
 
 /// The strain of the edges, rms, of the pattern of least stretch whose border is free, from the rms
 /// of its phi over all vertices. The strains of a plane piece without load at its border follow

@@ -10,6 +10,7 @@
 #include "core/job.h"
 #include "evolve/check_stopping.h"
 #include "evolve/evolve_progress.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -114,7 +115,10 @@ EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& st
   double e_max = summarise_defects(angle_defects(patch), 0).e_max;
   // What is flat to the last digits is not worked on.
   const double target = std::max(stopping.target_e_max, k_rounding_defect);
-  const auto met = [&] { return e_max <= target; };
+  const bool closes_holes = std::holds_alternative<Auto>(method);
+  const auto met = [&] {
+    return e_max <= target && (!closes_holes || holes_close(patch, evolver.positions()));
+  };
   result.stop = met() ? StopReason::reached_target : StopReason::sweep_limit;
   for (int sweep = 0; sweep < stopping.max_sweeps && !met(); ++sweep) {
     const SweepRecord& record = result.history.emplace_back(evolver.step());

@@ -16,9 +16,10 @@ double cotangent(Vec3 a, Vec3 b) {
 
 }  // namespace
 
-std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring) {
+std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring, RingEnds ends) {
   std::vector<double> weights(ring.size(), 0.0);
-  for (std::size_t j = 0; j < ring.size(); ++j) {
+  const std::size_t count = ends == RingEnds::open ? ring.size() - 1 : ring.size();
+  for (std::size_t j = 0; j < count; ++j) {
     const std::size_t k = j + 1 < ring.size() ? j + 1 : 0;
     const Vec3 q = ring[j], r = ring[k];
     weights[j] += 0.5 * cotangent(p - r, q - r);

@@ -7,8 +7,12 @@
 
 namespace planish {
 
-/// The cotangent weights of the edges from p to its closed ring, in the ring's order.
-std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring);
+/// Whether the last vertex of a ring makes a triangle with the first.
+enum class RingEnds { joined, open };
+
+/// The cotangent weights of the edges from p to its ring, in the ring's order.
+std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring,
+                                      RingEnds ends = RingEnds::joined);
 
 /// The mixed area of p in its closed ring (Meyer and others 2003): the part of its triangles that
 /// is nearest to it, with obtuse triangles cut by halves.

@@ -17,14 +17,8 @@ namespace planish {
 /// @param scale that of unit_scale(), so that products of lengths stay in range
 inline double border_angle(std::span<const Vec3> positions, const Connectivity& connectivity,
                            double scale, Index b) {
-  const auto ring = connectivity.ring(b);  // open
-  const auto spoke = [&](std::size_t j) {
-    return scale * positions[ring[j]] - scale * positions[b];
-  };
-  double sum = 0.0;
-  for (std::size_t j = 0; j + 1 < ring.size(); ++j)
-    sum += angle_between(spoke(j), spoke(j + 1));
-  return sum;
+  const auto at = [&](Index v) { return scale * positions[v]; };
+  return open_angle_sum(at(b), connectivity.ring(b), at);
 }
 
 /// How far a loop of the border turns to the left on the surface, radians: 2 pi around a flat
@@ -64,6 +58,20 @@ inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectiv
   kinds.outline = *largest;
   kinds.tube_ends.erase(largest);
   return kinds;
+}
+
+/// The numbers of the loops around holes, of a patch that can be laid flat as it is; none where it
+/// has to be cut open.
+inline std::vector<std::size_t> hole_loops(const Patch& patch) {
+  std::vector<std::size_t> holes;
+  const std::size_t count = patch.border_loops().size();
+  if (count < 2 || blocking_problem(patch.inspection(), Purpose::unfold)) return holes;
+  const std::size_t outline =
+      border_kinds(patch.positions(), patch.connectivity(), patch.unit_scale()).outline;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k != outline) holes.push_back(k);
+  }
+  return holes;
 }
 
 /// Whether the sides of a loop lie on each other, as where a seam of the mesh is not joined: it

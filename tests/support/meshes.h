@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include <planish/mesh/tri_mesh.h>
@@ -203,6 +205,53 @@ inline TriMesh soup_of(const TriMesh& mesh) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   return soup;
+}
+
+using Place = std::function<Vec3(double, double)>;
+
+/// A grid of unit cells without some of them, each vertex where `place` puts it.
+inline TriMesh perforated(std::size_t columns, std::size_t rows,
+                          const std::set<std::size_t>& without, const Place& place) {
+  TriMesh mesh = flat_grid(columns, rows);
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!without.contains(t / 2)) kept.push_back(mesh.triangles[t]);
+  }
+  mesh.triangles = kept;
+  for (Vec3& p : mesh.positions)
+    p = place(p.x, p.y);
+  return mesh;
+}
+
+/// Cells of such a grid: blocks of `size` by `size`, `across` by `along` of them, spread evenly.
+inline std::set<std::size_t> blocks(std::size_t columns, std::size_t rows, std::size_t across,
+                                    std::size_t along, std::size_t size) {
+  std::set<std::size_t> cells;
+  for (std::size_t i = 0; i < across; ++i) {
+    for (std::size_t j = 0; j < along; ++j) {
+      const std::size_t x = (2 * i + 1) * columns / (2 * across) - size / 2;
+      const std::size_t y = (2 * j + 1) * rows / (2 * along) - size / 2;
+      for (std::size_t a = 0; a < size; ++a) {
+        for (std::size_t b = 0; b < size; ++b)
+          cells.insert((y + b) * columns + x + a);
+      }
+    }
+  }
+  return cells;
+}
+
+inline Vec3 on_plane(double x, double y) {
+  return {x, y, 0.0};
+}
+
+inline Vec3 on_cylinder(double x, double y) {
+  constexpr double radius = 12.0;
+  return {radius * std::cos(x / radius), radius * std::sin(x / radius), y};
+}
+
+inline Vec3 on_cone(double x, double y) {
+  const double angle = x / 10.0, from_apex = 15.0 + y;
+  return {0.6 * from_apex * std::cos(angle), 0.6 * from_apex * std::sin(angle), 0.8 * from_apex};
 }
 
 }  // namespace planish::meshes

@@ -59,6 +59,8 @@ class PatchState {
   bool is_fixed(std::size_t v) const { return !fixed_.empty() && fixed_[v] != 0; }
   /// The weight of the vertex's moves.
   double weight(std::size_t v) const { return weights_.empty() ? 1.0 : weights_[vertex_of_[v]]; }
+  /// As it was at first, in model units and the numbers of the mesh.
+  const Patch& patch() const { return patch_; }
   /// The triangles, in the numbers here and the order of the mesh.
   std::vector<Triangle> triangles() const;
   /// What is not to be entered, in the units in here; without triangles where there is nothing.
@@ -112,7 +114,7 @@ class PatchState {
   std::uint32_t time_of(Index color) const { return sweep_began_ + color; }
   DefectSums measure_visits(std::size_t begin, std::size_t end);
 
-  Patch patch_;                  // as it was at first
+  Patch patch_;
   std::vector<double> weights_;  // as in Constraints
   TriMesh obstacle_;
   std::vector<unsigned char> fixed_;  // none where nothing is

@@ -11,7 +11,7 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
                      const ForPairs& for_pairs, const SparseMatrix& square, Moves moves,
                      Precision precision, const ThreadPool& pool)
     : jacobian_(jacobian),
-      inner_(static_cast<Index>(jacobian.row_count())),
+      inner_(static_cast<Index>(jacobian.angle_count())),
       count_(static_cast<Index>(jacobian.column_count())),
       moves_(moves) {
   pool.stop_if_cancelled();
@@ -26,6 +26,7 @@ BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix
     sizes.push_back(static_cast<unsigned char>(move_count(v)));
     if (v < inner_) sizes.push_back(1);
   }
+  sizes.resize(sizes.size() + 3 * jacobian_.holes().size(), 1);
   return {sizes, [&](const BlockMatrix::VisitPair& visit) {
             for_pairs([&](Index v, Index w) {
               if (v < count_ && w < count_) visit(moves_of(v), moves_of(w));
@@ -47,11 +48,12 @@ std::vector<Index> KktSystem::elimination_order(const PatchState& state) const {
     return block < 2 * inner_ ? block / 2 : block - inner_;
   };
   std::vector<std::vector<Index>> neighbours(count_);
-  for (Index block = 0; block < matrix_.block_count(); ++block) {
+  const Index first_of_holes = inner_ + count_;
+  for (Index block = 0; block < first_of_holes; ++block) {
     const Index v = vertex_of(block);
     matrix_.for_pairs_of(block, [&](Index other, BlockMatrix::Pair) {
       const Index w = vertex_of(other);
-      if (v == w) return;
+      if (other >= first_of_holes || v == w) return;
       neighbours[v].push_back(w);
       neighbours[w].push_back(v);
     });
@@ -69,6 +71,9 @@ std::vector<Index> KktSystem::elimination_order(const PatchState& state) const {
       order.push_back(static_cast<Index>(matrix_.unknown(moves_of(v), part)));
     if (v < inner_) order.push_back(static_cast<Index>(matrix_.unknown(multiplier_of(v), 0)));
   }
+  // The rows of holes meet many others.
+  for (Index block = first_of_holes; block < matrix_.block_count(); ++block)
+    order.push_back(static_cast<Index>(matrix_.unknown(block, 0)));
   return order;
 }
 
@@ -177,8 +182,9 @@ bool KktSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool) {
 Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& angle_change,
                            ThreadPool& pool, double accuracy) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.lower().rows());
+  for (Index row = 0; row < jacobian_.row_count(); ++row)
+    right[matrix_.unknown(multiplier_of(row), 0)] = angle_change[row];
   for (Index v = 0; v < count_; ++v) {
-    if (v < inner_) right[matrix_.unknown(multiplier_of(v), 0)] = angle_change[v];
     if (!jacobian_.is_movable(v)) continue;
     const std::array<double, 3> parts = along_moves(v, force[v]);
     for (int part = 0; part < move_count(v); ++part)

@@ -16,13 +16,13 @@
 
 namespace planish {
 
-/// Moves dx of all vertices that may move, and multipliers y of the inner ones:
+/// Moves dx of all vertices that may move, and multipliers y of the inner ones and of holes:
 ///
 ///     [ H   J^T  ] [dx]   [force]
 ///     [ J  -c S  ] [ y] = [dtheta]
 ///
 /// H a sum of terms, J = d d / d x the Jacobian of the defects (minus that of the angle sums), S a
-/// positive definite matrix over the inner vertices. Quasi-definite, so factored without pivots,
+/// positive definite matrix over its rows. Quasi-definite, so factored without pivots,
 /// under a dissection of the mesh. A vertex moves in all three directions, or along one: steps
 /// along one direction have half of the unknowns and a quarter of the memory.
 class KktSystem {
@@ -79,7 +79,7 @@ class KktSystem {
 
   /// @return dx, zero of what may not move. @pre factor() was true
   /// @param force by column of the jacobian
-  /// @param angle_change by inner vertex
+  /// @param angle_change by row of the jacobian
   /// @param accuracy as of MixedLdlt
   Positions solve(const Positions& force, const Eigen::VectorXd& angle_change, ThreadPool& pool,
                   double accuracy = k_step_accuracy);
@@ -105,9 +105,10 @@ class KktSystem {
     });
   }
 
-  /// The blocks of a vertex: its moves, and of inner ones the multiplier behind them.
+  /// The blocks of a vertex: its moves, and of inner ones the multiplier behind them. Those of the
+  /// rows of holes are behind all others.
   Index moves_of(Index v) const { return v < inner_ ? 2 * v : inner_ + v; }
-  Index multiplier_of(Index v) const { return 2 * v + 1; }
+  Index multiplier_of(Index row) const { return row < inner_ ? 2 * row + 1 : count_ + row; }
   int move_count(Index v) const { return v < inner_ ? moves_.inner : moves_.border; }
   BlockMatrix::Pair pair_of(Index v, Index w) const {
     return v < count_ && w < count_ ? matrix_.pair_of(moves_of(v), moves_of(w))

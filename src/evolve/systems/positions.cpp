@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/vertex_normal.h"
+#include "mesh/border_loops.h"
 
 namespace planish {
 
@@ -56,7 +57,8 @@ TriMesh mesh_at_first(const PatchState& state) {
 }
 
 AngleJacobian angle_jacobian_of(const PatchState& state,
-                                std::span<const unsigned char> border_movable) {
+                                std::span<const unsigned char> border_movable,
+                                std::vector<HoleBorder> holes) {
   // Rows that share a vertex make a dense block of A A^T; a larger one than this is not worth it.
   constexpr std::size_t most_neighbours = 256;
   std::vector<std::span<const Index>> rings = rings_by_vertex(state.plan());
@@ -64,7 +66,36 @@ AngleJacobian angle_jacobian_of(const PatchState& state,
   for (Index v = 0; v < rings.size(); ++v)
     movable.push_back(!state.is_fixed(v) && rings[v].size() <= most_neighbours ? 1 : 0);
   movable.insert(movable.end(), border_movable.begin(), border_movable.end());
-  return {std::move(rings), std::move(movable)};
+  return {std::move(rings), std::move(movable), std::move(holes)};
+}
+
+std::vector<HoleBorder> hole_borders_of(const PatchState& state) {
+  const Patch& patch = state.patch();
+  std::vector<HoleBorder> holes;
+  const std::vector<std::size_t> loops = hole_loops(patch);
+  if (state.inner_count() == 0 || loops.empty()) return holes;
+  std::vector<Index> number_of(patch.vertex_count(), 0);
+  for (Index v = 0; v < state.vertex_count(); ++v)
+    number_of[state.vertex_of(v)] = v;
+  for (const std::size_t k : loops) {
+    HoleBorder& hole = holes.emplace_back();
+    for (const Index b : patch.border_loops()[k]) {
+      hole.loop.push_back(number_of[b]);
+      std::vector<Index>& ring = hole.rings.emplace_back();
+      for (const Index w : patch.ring(b))
+        ring.push_back(number_of[w]);
+      hole.around.insert(hole.around.end(), ring.begin(), ring.end());
+    }
+    std::sort(hole.around.begin(), hole.around.end());
+    hole.around.erase(std::unique(hole.around.begin(), hole.around.end()), hole.around.end());
+  }
+  return holes;
+}
+
+bool holes_close(const Patch& patch, std::vector<Vec3> positions, double share) {
+  if (hole_loops(patch).empty()) return true;
+  const Flattenability figures = measure(patch.with_positions(std::move(positions)));
+  return std::max(figures.hole_turning, figures.hole_gap) <= share * k_flattenable_sum;
 }
 
 Eigen::VectorXd inner_defects(const PatchState& state) {

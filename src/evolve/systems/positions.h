@@ -41,8 +41,19 @@ TriMesh mesh_at_first(const PatchState& state);
 /// neighbours: each would tie all its neighbours' rows to one another.
 /// @param state must outlive it
 /// @param border_movable by vertex of the border whether it may move; empty: none may
+/// @param holes as from hole_borders_of(), if they are to close
 AngleJacobian angle_jacobian_of(const PatchState& state,
-                                std::span<const unsigned char> border_movable = {});
+                                std::span<const unsigned char> border_movable = {},
+                                std::vector<HoleBorder> holes = {});
+
+/// The borders of the holes that stay in the pattern: none of what has to be cut open to be laid
+/// flat.
+std::vector<HoleBorder> hole_borders_of(const PatchState& state);
+
+/// Whether the holes of a patch whose vertices are at these positions close in the plane, as
+/// is_flattenable() asks for: true where there are none.
+/// @param share of what that allows
+bool holes_close(const Patch& patch, std::vector<Vec3> positions, double share = 1.0);
 
 /// The defects of the inner vertices, as of the last measure().
 Eigen::VectorXd inner_defects(const PatchState& state);

@@ -208,7 +208,7 @@ class AutoStepper {
     if (descent_->strain_is_met()) return StopReason::strain_met;
     const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
     if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
-    if (!blocked_by_boundary_) return std::nullopt;
+    if (DefectPolish::can_finish(descent_->rms_strain(), descent_->jacobian())) return {};
     return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 

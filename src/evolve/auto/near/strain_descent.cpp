@@ -26,8 +26,10 @@ bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
   return aims.strain.any() && std::isinf(limits.deviation);
 }
 
-BoundaryCondition pattern_border(const DescentAims& aims) {
-  return aims.strain.any() ? BoundaryCondition::free : BoundaryCondition::dirichlet;
+/// Holes close only where phi may differ from 0 at their borders.
+BoundaryCondition pattern_border(const DescentAims& aims, const AngleJacobian& jacobian) {
+  return aims.strain.any() || !jacobian.holes().empty() ? BoundaryCondition::free
+                                                        : BoundaryCondition::dirichlet;
 }
 
 /// Where nearly all strain has to go, a border that is nearly held leads there by a shorter way,
@@ -65,10 +67,10 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       limits_(limits),
       triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
-      jacobian_(angle_jacobian_of(state, border_.movable())),
-      potential_(jacobian_, all_positions(state), pool, pattern_border(aims),
+      jacobian_(angle_jacobian_of(state, border_.movable(), hole_borders_of(state))),
+      potential_(jacobian_, all_positions(state), pool, pattern_border(aims, jacobian_),
                  potential_precision(state.inner_count())),
-      phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
+      phi_(potential_.solvable() ? potential_.of(defects(), pool) : Eigen::VectorXd()),
       area_shares_(area_shares(triangles_, first_origins(state, state.vertex_count()))),
       at_first_(strain_now()),
       stays_(std::min(1.0, headroom(aims.strain, at_first_))),
@@ -84,7 +86,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
     system_.append_pairs(std::array{v, w}, cost_pairs_);
   });
   if (potential_.border() == BoundaryCondition::free) {
-    potential_.set_boundary_compliance(ease_for(stays_));
+    potential_.set_boundary_compliance(ease_for(aims.strain.any() ? stays_ : 0.0));
     potential_.update(all_positions(state), pool);
   }
   if (limits_.angle > 0.0)
@@ -117,6 +119,11 @@ void StrainDescent::track_strain_limit(double sigma) {
   sigma_ = sigma * sigma_unit(state_);
 }
 
+/// As of the last measure of the state.
+Eigen::VectorXd StrainDescent::defects() const {
+  return potential_.defects(inner_defects(state_), state_.positions());
+}
+
 void StrainDescent::update_strain() {
   state_.measure(pool_);
   // With K of the initial surface the estimate can be gamed: steps then lower it without lowering
@@ -124,7 +131,7 @@ void StrainDescent::update_strain() {
   if (potential_.border() == BoundaryCondition::free)
     potential_.update(all_positions(state_), pool_);
   if (potential_.solvable())
-    phi_ = potential_.of(inner_defects(state_), pool_);
+    phi_ = potential_.of(defects(), pool_);
   else
     phi_.setConstant(std::numeric_limits<double>::infinity());  // no step ends there
   strain_ = strain_now();
@@ -177,7 +184,7 @@ Positions StrainDescent::newton_step() {
     system_.add_scalar(v, w, *pair++, 1.0 + stiffening_, value);
   });
   if (!system_.factor(potential_.square(), sigma_ * sigma_, pool_)) return Positions(x.size());
-  return system_.solve(force, -inner_defects(state_), pool_);
+  return system_.solve(force, -defects(), pool_);
 }
 
 Positions StrainDescent::within_limits(Positions x) const {

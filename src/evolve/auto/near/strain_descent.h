@@ -97,6 +97,7 @@ class StrainDescent {
   double merit_at(const Positions& x);
   double merit() const;
   DescentStrain strain_now() const;
+  Eigen::VectorXd defects() const;
   /// Measures the defects at the positions where vertices are, and phi.
   void update_strain();
   KktSystem::ForPairs pairs_of_cost() const;

@@ -12,7 +12,7 @@ using tuning::prefer_near::k_poor, tuning::prefer_near::k_worse;
 
 TangentialRelaxation::TangentialRelaxation(const AngleJacobian& jacobian, PatchState& state)
     : jacobian_(jacobian), state_(state) {
-  for (Index v = 0; v < jacobian.row_count(); ++v)
+  for (Index v = 0; v < jacobian.angle_count(); ++v)
     least_.push_back(std::min(k_poor, k_worse * worst_shape(v, state.position(v))));
 }
 
@@ -28,7 +28,7 @@ double TangentialRelaxation::worst_shape(Index v, Vec3 place) const {
 
 std::size_t TangentialRelaxation::relax() {
   std::size_t moved = 0;
-  for (Index v = 0; v < jacobian_.row_count(); ++v) {
+  for (Index v = 0; v < jacobian_.angle_count(); ++v) {
     if (!jacobian_.is_movable(v)) continue;
     const Vec3 from = state_.position(v);
     double best = worst_shape(v, from);

@@ -47,9 +47,10 @@ SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
 }
 
 /// By so much that it counts as flattenable on rounding too.
-bool is_surely_flattenable(const Flattenability& figures) {
+bool is_surely_flattenable(const Flattenability& figures, const PatchState& state) {
   return figures.e_max <= k_e_max_share * k_flattenable_e_max &&
-         figures.sum_abs_defect <= k_defect_sum_share * k_flattenable_sum;
+         figures.sum_abs_defect <= k_defect_sum_share * k_flattenable_sum &&
+         holes_close(state.patch(), state.positions_in_mesh_order(), k_defect_sum_share);
 }
 
 }  // namespace
@@ -67,12 +68,17 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
 }
 
+bool DefectPolish::can_finish(double strain, const AngleJacobian& jacobian) {
+  return strain <=
+         (jacobian.holes().empty() ? tuning::k_blocked_strain : tuning::k_blocked_strain_of_holes);
+}
+
 DefectPolish::Cycle DefectPolish::cycle() {
   const double energy = state_.measure(pool_).energy;
   Cycle cycle{move()};
   const Flattenability figures = state_.measure(pool_);
   cycle.in_double = least_.dual().fell_back();
-  cycle.flat = is_surely_flattenable(figures);
+  cycle.flat = is_surely_flattenable(figures, state_);
   const bool has_step = cycles_++ > 0;
   slow_cycles_ = has_step && figures.energy > k_slow_share * energy ? slow_cycles_ + 1 : 0;
   stalled_cycles_ = figures.energy > k_stalled_share * energy ? stalled_cycles_ + 1 : 0;

@@ -23,6 +23,11 @@ class DefectPolish {
   /// limit.
   DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits);
 
+  /// False where the border, or a hole that does not close, is taken to forbid the rest.
+  /// @param strain that a descent has left, rms
+  /// @param jacobian of the descent
+  static bool can_finish(double strain, const AngleJacobian& jacobian);
+
   struct Cycle {
     std::size_t moved = 0;   ///< vertices
     bool flat = false;       ///< the patch is surely flattenable

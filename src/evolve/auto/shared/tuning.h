@@ -18,6 +18,8 @@ namespace tuning {
 inline constexpr std::size_t k_thinning = 4;
 /// Strain, rms, above which the border is taken to forbid the rest: polishing cannot do it.
 inline constexpr double k_blocked_strain = 1e-2;
+/// The same where holes are to close, which polishing does not see.
+inline constexpr double k_blocked_strain_of_holes = 3e-4;
 /// So many steps in a row that move nothing end a level.
 inline constexpr int k_most_stagnant = 3;
 /// Halvings of a step before it is given up.

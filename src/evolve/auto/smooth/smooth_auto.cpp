@@ -109,7 +109,7 @@ class SmoothStepper {
   SweepOutcome step_in(Strict& phase) {
     const SweepOutcome outcome = descend(phase.stagnant_steps);
     if (!control_->is_over() && phase.stagnant_steps < tuning::k_most_stagnant) return outcome;
-    if (descent_->strain().rms > tuning::k_blocked_strain)
+    if (!DefectPolish::can_finish(descent_->strain().rms, descent_->jacobian()))
       return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
                                                           : StopReason::stalled);
     descent_->release();

@@ -97,14 +97,14 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       along_lines_(moves == SmoothMoves::along_lines),
       border_(limits.border, limits.deviation, state),
       origin_(first_origins(state, state.vertex_count())),
-      jacobian_(angle_jacobian_of(state, border_.movable())),
+      jacobian_(angle_jacobian_of(state, border_.movable(), hole_borders_of(state))),
       hinges_(design, origin_, design_bending_),
       proximity_(weights_of(state, border_.vertex_count())),
       guard_(state.triangles(), origin_, limits.angle),
       potential_(jacobian_, all_positions(state), pool, BoundaryCondition::free,
                  potential_precision(state.inner_count())),
       system_(jacobian_, state, pairs_of_terms(), potential_.square(),
-              {.inner = along_lines_ ? 1 : 3}, step_precision(jacobian_.row_count()), pool),
+              {.inner = along_lines_ ? 1 : 3}, step_precision(state.inner_count()), pool),
       area_shares_(area_shares(guard_.triangles(), origin_)),
       unit_(mean_edge(jacobian_, state)),
       barrier_(barrier_of(limits, border_, state.inner_count())),
@@ -147,13 +147,18 @@ double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
          strain / (weights_.sigma * weights_.sigma);
 }
 
+/// As of the last measure of the state.
+Eigen::VectorXd SmoothDescent::defects() const {
+  return potential_.defects(inner_defects(state_), state_.positions());
+}
+
 /// K and weights are not renewed.
 SmoothDescent::Parts SmoothDescent::at(const Positions& positions) {
   Parts parts;
   if (!std::isfinite(norm_of(positions))) return {std::numeric_limits<double>::infinity(), {}};
   set_positions(positions, jacobian_, state_);
   state_.measure(pool_);
-  parts.defects = inner_defects(state_);
+  parts.defects = defects();
   parts.merit = merit(potential_.of(parts.defects, pool_));
   if (!std::isfinite(parts.merit)) parts.merit = std::numeric_limits<double>::infinity();
   return parts;
@@ -165,7 +170,7 @@ void SmoothDescent::renew() {
   potential_.update(x, pool_);
   if (!potential_.solvable()) return;
   hinges_.set_weights(x, pool_);
-  phi_ = potential_.of(inner_defects(state_), pool_);
+  phi_ = potential_.of(defects(), pool_);
   strain_ = {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))),
              phi_.cwiseAbs().maxCoeff()};
   bending_ = hinges_.value(x, pool_);
@@ -340,11 +345,11 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<MoveDirection> direc
   assemble(direction, force);
   const double c = 0.5 * static_cast<double>(phi_.size()) * weights_.sigma * weights_.sigma;
   if (!factor_system(c)) return result;
-  const Eigen::VectorXd defects = inner_defects(state_);
-  const Positions full = shortened(system_.solve(force, -defects, pool_));
+  const Eigen::VectorXd at_first = defects();
+  const Positions full = shortened(system_.solve(force, -at_first, pool_));
   at_angle_limit_ = false;
   const auto taken = backtrack(1.0, tuning::k_most_halvings, [&](double size, int halvings) {
-    const Trial trial = try_step(before, defects, full, size, halvings < k_corrected_trials);
+    const Trial trial = try_step(before, at_first, full, size, halvings < k_corrected_trials);
     if (!(trial.parts.merit < result.merit_before)) return false;
     set_positions(trial.positions, jacobian_, state_);
     if (!angles_hold()) {

@@ -95,6 +95,7 @@ class SmoothDescent {
     Eigen::VectorXd defects;
   };
   KktSystem::ForPairs pairs_of_terms() const;
+  Eigen::VectorXd defects() const;
   Parts at(const Positions& positions);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();

@@ -1,5 +1,6 @@
 // Terms of several vertices, with directions that are given or not.
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "energy/shape_guard.h"
 #include "energy/strain_potential.h"
 #include "evolve/systems/kkt_system.h"
+#include "support/meshes.h"
 
 namespace planish {
 namespace {
@@ -74,7 +76,7 @@ struct Dense {
 /// Of unit length, one for each inner vertex.
 Positions some_lines(const AngleJacobian& jacobian) {
   Positions lines;
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
+  for (Index v = 0; v < jacobian.angle_count(); ++v) {
     const Vec3 n = {0.3, 0.1 * static_cast<double>(v % 7) - 0.3, 1.0};
     lines.push_back((1.0 / norm(n)) * n);
   }
@@ -91,19 +93,20 @@ MatrixXd onto_lines(const AngleJacobian& jacobian, const Positions& lines, Eigen
   }
   const Eigen::Index rest = size - 3 * inner;
   onto.bottomRightCorner(rest, rest).setIdentity();
-  EXPECT_EQ(static_cast<std::size_t>(rest), 3 * jacobian.column_count() - 2 * lines.size());
+  EXPECT_EQ(static_cast<std::size_t>(rest),
+            3 * jacobian.column_count() - 3 * lines.size() + jacobian.row_count());
   return onto;
 }
 
 /// @param border_movable by vertex of the border
 void expect_solved_as_dense(const Constraints& constraints,
                             std::span<const unsigned char> border_movable,
-                            KktSystem::Moves moves = {}) {
-  const TriMesh mesh = make_shape("panel", 100);
+                            KktSystem::Moves moves = {},
+                            const TriMesh& mesh = make_shape("panel", 100)) {
   const Patch patch(mesh);
   ThreadPool pool(1);
   const PatchState state(patch, pool, constraints);
-  AngleJacobian jacobian = angle_jacobian_of(state, border_movable);
+  AngleJacobian jacobian = angle_jacobian_of(state, border_movable, hole_borders_of(state));
   jacobian.update(state.positions(), pool);
   const Positions x = first_positions(state, state.vertex_count());
   const HingeBending hinges(Patch(mesh_at_first(state)), x, 1.0);
@@ -183,6 +186,22 @@ TEST(KktSystem, MovesTheBorderWhereItMay) {
 
 TEST(KktSystem, MovesInnerVerticesAlongLinesWhereAskedTo) {
   expect_solved_as_dense({}, {}, k_along_lines);
+}
+
+TEST(KktSystem, HasThreeRowsForEachHole) {
+  const TriMesh mesh =
+      meshes::perforated(14, 8, meshes::blocks(14, 8, 2, 1, 2), [](double x, double y) {
+        return Vec3{x, y, std::sin(0.4 * x) * std::cos(0.5 * y)};
+      });
+  const Patch patch(mesh);
+  ASSERT_EQ(patch.border_loops().size(), 3U);
+  std::vector<unsigned char> movable;
+  for (const auto& loop : patch.border_loops())
+    movable.insert(movable.end(), loop.size(), 1);
+  for (const KktSystem::Moves moves : {KktSystem::Moves{}, k_along_lines}) {
+    expect_solved_as_dense({}, {}, moves, mesh);
+    expect_solved_as_dense({}, movable, moves, mesh);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cut/cut_flag.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -103,6 +104,7 @@ class Cutter {
     const KeptPaths kept = without_small_pieces(whole, paths, limits);
     for (const SmallPiece& piece : kept.small)
       tell(piece);
+    tell_free_ends(kept.inside);
     std::vector<CutPath> cuts;
     for (const LinePath& line : kept.paths)
       cuts.push_back({line.vertices, asked_.places[line.line]});
@@ -113,7 +115,8 @@ class Cutter {
     }
     CutMesh opened = cut_open(whole, cuts);
     return {std::move(opened.mesh),
-            CutOutcome{opened.edges, opened.length, imprinted.farthest_snap, kept.small.size()}};
+            CutOutcome{opened.edges, opened.length, imprinted.farthest_snap,
+                       jag(imprinted.mesh, kept.paths, mean_edge_length(mesh)), kept.small.size()}};
   }
 
  private:
@@ -143,12 +146,41 @@ class Cutter {
   /// Leads ends of the lines on to what they nearly meet, and tells of those that were farther.
   void join_ends(const Patch& patch, double farther) {
     JoinedLines joined = join_lines(patch, std::move(asked_.lines), join_tolerance(patch.mesh()));
-    for (const JoinedEnd& end : joined.joined) {
+    for (const LineEnd& end : joined.joined) {
       if (end.distance < farther) continue;
       session_.note((end.is_last ? "the end of " : "the beginning of ") + name(end.line) + " is " +
                     text(end.distance) + " from " + name(end.to) + "; joined");
     }
     asked_.lines = std::move(joined.lines);
+    free_ends_ = std::move(joined.free);
+  }
+
+  /// Of drawn lines that part nothing: it may be that one was meant to go on.
+  void tell_free_ends(const std::vector<std::size_t>& inside) const {
+    std::vector<LineEnd> told = free_ends_;
+    std::erase_if(told, [&](const LineEnd& end) {
+      const bool is_drawn = asked_.places[end.line].line.has_value();
+      return !is_drawn || !std::isfinite(end.distance) ||
+             std::find(inside.begin(), inside.end(), end.line) == inside.end();
+    });
+    if (told.empty()) return;
+    const LineEnd& end = told.front();
+    const std::size_t more = told.size() - 1;
+    session_.note((end.is_last ? "the end of " : "the beginning of ") + name(end.line) +
+                  " stays free, " + text(end.distance) + " from " + name(end.to) +
+                  (more > 0 ? "; so does that of " + counted(more, "other line") : ""));
+  }
+
+  /// The largest of the lines.
+  double jag(const TriMesh& mesh, const std::vector<LinePath>& paths, double edge) const {
+    double largest = 1.0;
+    for (const LinePath& path : paths) {
+      std::vector<Vec3> line;
+      for (const Index v : path.vertices)
+        line.push_back(mesh.positions[v]);
+      largest = std::max(largest, jag_of(line, edge));
+    }
+    return largest;
   }
 
   void tell(const SmallPiece& piece) const {
@@ -170,6 +202,7 @@ class Cutter {
   ShownLengths lengths_;
   double scale_;
   RequestedLines asked_;
+  std::vector<LineEnd> free_ends_ = {};
 };
 
 /// The lists of vertices that stand for a file: of a caller, or as they were typed.
@@ -261,6 +294,7 @@ CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
   edges += more.edges;
   length += more.length;
   farthest_snap = std::max(farthest_snap, more.farthest_snap);
+  jag = std::max(jag, more.jag);
   small_pieces += more.small_pieces;
   return *this;
 }
@@ -291,6 +325,7 @@ std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {
            {{"edges", cut->edges},
             {"length", cut->length},
             {"farthest_snap", cut->farthest_snap},
+            {"jag", cut->jag},
             {"small_pieces_joined", cut->small_pieces}}}};
 }
 

@@ -21,6 +21,7 @@ struct CutOutcome {
   std::size_t edges = 0;
   double length = 0.0;           ///< model units
   double farthest_snap = 0.0;    ///< that a point of a line was put onto a vertex, model units
+  double jag = 1.0;              ///< the largest of a line (jag_of())
   std::size_t small_pieces = 0;  ///< that were joined to a neighbour
 
   CutOutcome& operator+=(const CutOutcome& more);

@@ -64,6 +64,15 @@ class Pieces {
     return is;
   }
 
+  /// Whether there are two pieces at an edge of it.
+  bool is_between(const std::vector<Index>& path) const {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const auto pieces = beside(ends_of(path[i - 1], path[i]));
+      if (pieces && (*pieces)[0] != (*pieces)[1]) return true;
+    }
+    return false;
+  }
+
   std::vector<std::size_t> lines_around(std::size_t piece) const {
     std::vector<std::size_t> around;
     for (const auto& [ends, pieces] : beside_) {
@@ -216,6 +225,7 @@ KeptPaths without_small_pieces(const Patch& patch, std::span<const LinePath> pat
     return a == b ? is_small[a] == 0 : groups.of(a) != groups.of(b);
   };
   for (const LinePath& path : paths) {
+    if (!pieces.is_between(path.vertices)) kept.inside.push_back(path.line);
     if (pieces.is_along_border(path.vertices)) kept.paths.push_back(path);
     std::vector<Index> run;
     for (std::size_t i = 1; i <= path.vertices.size(); ++i) {

@@ -34,6 +34,7 @@ struct SmallLimits {
 struct KeptPaths {
   std::vector<LinePath> paths;
   std::vector<SmallPiece> small = {};
+  std::vector<std::size_t> inside = {};  ///< numbers of lines that have one piece on both sides
 };
 
 /// Finds pieces below the limits, and leaves out the cuts between each and the neighbour with which

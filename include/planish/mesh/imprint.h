@@ -18,7 +18,7 @@ struct ImprintOptions {
   double farthest_snap = 5e-5;
   /// Angles below this, degrees, are made larger by more vertices on edges, where new short edges
   /// cause them; 0: not.
-  double least_angle = 12.0;
+  double least_angle = 7.0;
 };
 
 /// A mesh with lines as edges.

@@ -38,6 +38,12 @@ SurfaceLine line_along_edges(const Patch& patch, std::span<const Index> path);
 /// Length of the line on a mesh with these vertices, model units.
 double length_of(std::span<const SurfacePoint> line, std::span<const Vec3> positions);
 
+/// How jagged a line is: its length over that of its chords, of which each spans an equal part of
+/// it, near to a length of four edges of the mesh. 1 for a straight line and for one that is
+/// shorter than two such parts; a bend of radius r makes it 1 + c^2 / (24 r^2) for chords c.
+/// @param edge mean length of an edge, model units
+double jag_of(std::span<const Vec3> line, double edge);
+
 /// A plane: all p with dot(normal, p) = offset.
 struct Plane {
   Vec3 normal = {0.0, 0.0, 1.0};  ///< of any length but 0
@@ -80,22 +86,24 @@ struct SingleLines {
 /// @param tolerance model units
 SingleLines single_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
 
-/// What was done at an end of a line.
-struct JoinedEnd {
+/// An end of a line, and what is nearest to it.
+struct LineEnd {
   std::size_t line = 0;                ///< its number, from 0
   bool is_last = false;                ///< its last point, else its first one
-  double distance = 0.0;               ///< that it was away, model units
-  std::optional<std::size_t> to = {};  ///< the line that it meets now; none: the border
+  double distance = 0.0;               ///< that it was away, model units; infinite from nothing
+  std::optional<std::size_t> to = {};  ///< the other line, or its own one; none: the border
 };
 
 /// Lines of which ends meet others, or the border.
 struct JoinedLines {
-  std::vector<SurfaceLine> lines;      ///< in the same order
-  std::vector<JoinedEnd> joined = {};  ///< ends that were not where they are now
+  std::vector<SurfaceLine> lines;    ///< in the same order
+  std::vector<LineEnd> joined = {};  ///< ends that were not where they are now
+  std::vector<LineEnd> free = {};    ///< ends that meet nothing
 };
 
 /// Makes ends of lines that nearly meet another line, or the border, meet it: goes straight on to
-/// the nearest place. An end on the border or on a line, and both of a closed line, stay.
+/// the nearest place, and where it runs beside that line to a place ahead, six times as far. An end
+/// on the border or on a line, and both of a closed line, stay.
 /// @param tolerance how far an end may be away, model units
 JoinedLines join_lines(const Patch& patch, std::vector<SurfaceLine> lines, double tolerance);
 

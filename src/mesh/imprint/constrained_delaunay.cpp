@@ -10,17 +10,18 @@ namespace planish {
 
 namespace {
 
-constexpr Index k_none = std::numeric_limits<Index>::max();
+constexpr Index k_none = std::numeric_limits<Index>::max();  // beyond a side of the triangle
 constexpr int k_deepest = 200;  // of segments in segments: rounding alone could go on
 
 }  // namespace
 
-ConstrainedDelaunay::ConstrainedDelaunay(const std::array<double, 3>& sides) {
+ConstrainedDelaunay::ConstrainedDelaunay(const std::array<double, 3>& sides, double reach) {
   auto [a, b, c] = sides;
   if (!(a > 0.0) || !(c > 0.0)) a = b = c = 1.0;  // of no form
   const double along = (a * a + c * c - b * b) / (2.0 * a);
   right_ = {a, 0.0};
   up_ = {along, std::sqrt(std::max(c * c - along * along, 0.0))};
+  reach_ = std::min(reach, 0.01 * a * up_.y / std::max({a, b, c}));
   for (const Vec2 corner : {Vec2{0.0, 0.0}, Vec2{k_cells, 0.0}, Vec2{0.0, k_cells}})
     new_node(corner);
   parts_.push_back({{0, 1, 2}, {k_none, k_none, k_none}});
@@ -34,18 +35,48 @@ Index ConstrainedDelaunay::new_node(Vec2 grid) {
   return static_cast<Index>(grid_.size() - 1);
 }
 
+bool ConstrainedDelaunay::is_fixed(Index part, std::size_t slot) const {
+  const auto& [corners, across] = parts_[part];
+  return across[slot] == k_none || is_segment(corners[slot], corners[(slot + 1) % 3]);
+}
+
+Vec2 ConstrainedDelaunay::grid_at(Vec2 place) const {
+  const double whole = planish::cross(right_, up_);
+  return {std::nearbyint(planish::cross(place, up_) / whole * k_cells),
+          std::nearbyint(planish::cross(right_, place) / whole * k_cells)};
+}
+
+double ConstrainedDelaunay::distance_to_corner(Vec2 place) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Index corner : parts_[locate(grid_at(place))].corners)
+    nearest = std::min(nearest, norm(places_[corner] - place));
+  return nearest;
+}
+
 int ConstrainedDelaunay::side(Index a, Index b, Index c) const {
   return side_of(grid_[a], grid_[b], grid_[c]);
 }
 
-/// As side(), but 0 for nodes beside the segment within 1e-9 of a side of the triangle.
+/// Of a place beside a segment, to the line that it is a part of.
+double ConstrainedDelaunay::distance_to(Index a, Index b, Vec2 p) const {
+  const Vec2 along = places_[b] - places_[a];
+  return std::abs(planish::cross(along, p - places_[a])) / std::max(norm(along), 1e-300);
+}
+
+/// As side(), but 0 for nodes beside the segment within reach, or within 1e-9 of a side of the
+/// triangle.
 int ConstrainedDelaunay::side_of_segment(Index a, Index b, Index c) const {
   constexpr double near = 1e-9 * k_cells;
   const Vec2 along = grid_[b] - grid_[a], to = grid_[c] - grid_[a];
-  const double length = norm(along), way = dot(to, along);
+  const double length = norm(along);
+  const double way = dot(to, along);
   const bool is_beside = way > 0.0 && way < length * length;
   if (is_beside && std::abs(planish::cross(along, to)) <= near * length) return 0;
-  return side(a, b, c);
+  // Not beside the ends: then both parts are shorter than the segment.
+  const double whole = norm(places_[b] - places_[a]);
+  const double part = dot(places_[c] - places_[a], places_[b] - places_[a]) / whole;
+  const bool is_between = part > 2.0 * reach_ && part < whole - 2.0 * reach_;
+  return is_between && distance_to(a, b, places_[c]) <= reach_ ? 0 : side(a, b, c);
 }
 
 std::size_t ConstrainedDelaunay::slot_of(Index part, Index corner) const {
@@ -222,6 +253,7 @@ void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
   if (a == b || depth > k_deepest) return;
   std::vector<Key> crossed;
   const auto end_at = [&](Index node) {
+    farthest_ = std::max(farthest_, distance_to(a, b, places_[node]));
     divided_at_[key(a, b)] = node;
     connect(a, node, depth + 1);
     connect(node, b, depth + 1);
@@ -297,13 +329,18 @@ void ConstrainedDelaunay::cross(Key segment, Index a, Index b, int depth) {
   const Index c = segment[0], d = segment[1];
   const Vec2 grid = crossing(segment, a, b);
   const bool is_inside = grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells;
-  const auto nearest = [&] {
-    const std::array ends = {a, b, c, d};
-    return *std::min_element(ends.begin(), ends.end(), [&](Index p, Index q) {
-      return norm(grid_[p] - grid) < norm(grid_[q] - grid);
-    });
-  };
-  const Index node = is_inside ? add(grid) : nearest();
+  const Vec2 place = (grid.x / k_cells) * right_ + (grid.y / k_cells) * up_;
+  std::vector<Index> known = {a, b, c, d};
+  if (is_inside && reach_ > 0.0) {
+    for (const Index corner : parts_[locate(grid)].corners)
+      known.push_back(corner);
+  }
+  const auto apart = [&](Index node) { return norm(places_[node] - place); };
+  const Index nearest = *std::min_element(known.begin(), known.end(),
+                                          [&](Index p, Index q) { return apart(p) < apart(q); });
+  const bool is_known = !is_inside || apart(nearest) <= reach_;
+  if (is_known) farthest_ = std::max(farthest_, apart(nearest));
+  const Index node = is_known ? nearest : add(grid);
   if (node != c && node != d && segments_.erase(segment) != 0) {
     divided_at_[segment] = node;
     connect(c, node, depth + 1);

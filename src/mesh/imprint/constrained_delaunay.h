@@ -19,7 +19,9 @@ inline constexpr double k_cells = 1125899906842624.0;  // 2^50
 class ConstrainedDelaunay {
  public:
   /// @param sides lengths of the triangle's sides from corner to next corner
-  explicit ConstrainedDelaunay(const std::array<double, 3>& sides);
+  /// @param reach a node that is nearer to a segment than this is on it; at most 1/100 of the
+  ///   height of the triangle counts
+  explicit ConstrainedDelaunay(const std::array<double, 3>& sides, double reach = 0.0);
 
   /// The node at a place, which is new where there was none. A segment through it is divided.
   /// @param grid whole numbers inside the triangle
@@ -47,12 +49,22 @@ class ConstrainedDelaunay {
   /// Counter-clockwise, by numbers of nodes.
   std::vector<Triangle> triangles() const;
 
- private:
-  using Key = std::array<Index, 2>;
   struct Part {
     Triangle corners;
     std::array<Index, 3> across;  ///< the part beyond the side from this corner to the next
   };
+  const std::vector<Part>& parts() const { return parts_; }
+  /// Whether the side from this corner of a part to the next is one of the triangle or a segment.
+  bool is_fixed(Index part, std::size_t slot) const;
+  /// The inverse of place(), rounded to the grid.
+  Vec2 grid_at(Vec2 place) const;
+  /// How far the nearest corner of the part that holds a place is from it.
+  double distance_to_corner(Vec2 place) const;
+  /// How far the farthest segment was led to a node beside it.
+  double farthest() const { return farthest_; }
+
+ private:
+  using Key = std::array<Index, 2>;
   /// A side of a part.
   struct Side {
     Index part;
@@ -64,6 +76,7 @@ class ConstrainedDelaunay {
   Index new_node(Vec2 grid);
   Index locate(Vec2 grid) const;
   int side(Index a, Index b, Index c) const;
+  double distance_to(Index a, Index b, Vec2 p) const;
   int side_of_segment(Index a, Index b, Index c) const;
   std::optional<Side> edge(Index a, Index b) const;
   std::size_t slot_of(Index part, Index corner) const;
@@ -77,6 +90,7 @@ class ConstrainedDelaunay {
   void cross(Key segment, Index a, Index b, int depth);
   Vec2 crossing(Key segment, Index a, Index b) const;
 
+  double reach_, farthest_ = 0.0;
   Vec2 right_, up_;  // the sides from the first corner
   std::vector<Vec2> grid_, places_;
   std::vector<Part> parts_;

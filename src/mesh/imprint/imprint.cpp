@@ -3,21 +3,24 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include <planish/mesh/imprint.h>
 
-#include "core/math.h"
 #include "mesh/imprint/constrained_delaunay.h"
 #include "mesh/imprint/line_nodes.h"
+#include "mesh/imprint/thin_parts.h"
 
 namespace planish {
 
 namespace {
 
 constexpr double k_straight = 1e-6;  // of the diagonal: how far a point is off that is left out
-constexpr int k_rounds = 4;          // of making angles larger
+// Of the diagonal: how near to a line what it does not meet may be.
+constexpr double k_finest = 5e-6;
+constexpr int k_rounds = 12;  // of making angles larger
 
 /// A triangle that is divided.
 struct Face {
@@ -35,7 +38,11 @@ struct Segment {
 class Imprinter {
  public:
   Imprinter(const Patch& patch, const ImprintOptions& options)
-      : patch_(patch), options_(options), nodes_(patch, options) {}
+      : patch_(patch),
+        options_(options),
+        nodes_(patch, options),
+        finest_(std::min(k_finest, options.farthest_snap) *
+                bounding_box_diagonal(nodes_.scaled())) {}
 
   ImprintedMesh imprint(std::span<const SurfaceLine> lines) {
     for (const SurfaceLine& line : lines)
@@ -71,14 +78,9 @@ class Imprinter {
   Index own_number(Index triangle, Index node);
   void learn_nodes(Index triangle);
 
-  struct Needle {
-    Index triangle;
-    Index near, far;  // ends of a long side, the near one at the short side; own numbers
-    double share;     // of the way from near to far
-  };
   void widen_angles();
-  void find_needles(Index triangle, std::vector<Needle>& needles) const;
-  void divide(const Needle& needle);
+  bool widen(Index triangle, const WidenedBy& by);
+  bool divide_edge(Index half, Index from, Index to, double share);
   std::optional<Index> outer_side(const Face& face, Index triangle, Index a, Index b) const;
 
   ImprintedMesh result() const;
@@ -88,6 +90,7 @@ class Imprinter {
   const Patch& patch_;
   ImprintOptions options_;
   LineNodes nodes_;
+  double finest_;
   std::vector<std::vector<Segment>> lines_;
   std::map<Index, Face> faces_;
 };
@@ -237,7 +240,7 @@ Face& Imprinter::face(Index triangle) {
   const auto length = [&](std::size_t k) {
     return norm(nodes_.scaled().positions[t[(k + 1) % 3]] - nodes_.scaled().positions[t[k]]);
   };
-  Face face{ConstrainedDelaunay({length(0), length(1), length(2)}), {t[0], t[1], t[2]}};
+  Face face{ConstrainedDelaunay({length(0), length(1), length(2)}, finest_), {t[0], t[1], t[2]}};
   return faces_.emplace(triangle, std::move(face)).first->second;
 }
 
@@ -287,67 +290,58 @@ std::optional<Index> Imprinter::outer_side(const Face& face, Index triangle, Ind
   return std::nullopt;
 }
 
-/// Triangles with one short side, of which the long ones can be divided so that sizes change by
-/// less from one triangle to the next.
-void Imprinter::find_needles(Index triangle, std::vector<Needle>& needles) const {
-  constexpr double degree = 0.017453292519943295;
-  const Face& at = faces_.at(triangle);
-  const double least = math::sin(options_.least_angle * degree);
-  for (const Triangle& t : at.inside.triangles()) {
-    std::array<double, 3> sides{};
-    for (std::size_t k = 0; k < 3; ++k)
-      sides[k] = norm(at.inside.place(t[(k + 1) % 3]) - at.inside.place(t[k]));
-    const auto shortest =
-        static_cast<std::size_t>(std::min_element(sides.begin(), sides.end()) - sides.begin());
-    const Index a = t[shortest], b = t[(shortest + 1) % 3], tip = t[(shortest + 2) % 3];
-    if (a < 3 && b < 3) continue;  // a side of the mesh
-    const double longest = *std::max_element(sides.begin(), sides.end());
-    if (sides[shortest] >= least * longest) continue;
-    const auto is_fixed = [&](Index near) {
-      return outer_side(at, triangle, near, tip) || at.inside.is_segment(near, tip);
-    };
-    if (is_fixed(a) && is_fixed(b)) continue;  // the angle between two lines is what it is
-    for (const auto& [near, side] :
-         {std::pair{a, (shortest + 2) % 3}, std::pair{b, (shortest + 1) % 3}}) {
-      const double length = sides[side];
-      if (sides[shortest] >= least * length || !is_fixed(near)) continue;
-      needles.push_back({triangle, near, tip, std::sqrt(sides[shortest] / length)});
-    }
-  }
+/// Puts a node onto an edge of the mesh, between two that are there.
+/// @return whether it is new
+bool Imprinter::divide_edge(Index half, Index from, Index to, double share) {
+  const std::vector<Index> nodes = nodes_.along(half, from, to);
+  if (nodes.size() != 2) return false;  // another triangle has divided the side already
+  const std::size_t before = nodes_.count();
+  touch(nodes_.add_between(half, from, to, share));
+  return nodes_.count() > before;
 }
 
-void Imprinter::divide(const Needle& needle) {
-  Face& at = faces_.at(needle.triangle);
-  const auto half = outer_side(at, needle.triangle, needle.near, needle.far);
-  if (!half) {
-    if (at.inside.is_segment(needle.near, needle.far)) {
-      at.inside.divide(needle.near, needle.far, needle.share);
-      learn_nodes(needle.triangle);
-    }
-    return;
+/// @return whether there is a new node
+bool Imprinter::widen(Index triangle, const WidenedBy& by) {
+  Face& at = faces_.at(triangle);
+  const std::size_t before = at.inside.nodes().size();
+  if (by.side) {
+    const auto [a, b] = *by.side;
+    if (const auto half = outer_side(at, triangle, a, b))
+      return divide_edge(*half, at.nodes[a], at.nodes[b], by.share);
+    if (!at.inside.is_segment(a, b)) return false;
+    const Vec2 from = at.inside.place(a), to = at.inside.place(b);
+    if (at.inside.distance_to_corner(from + by.share * (to - from)) < finest_) return false;
+    at.inside.divide(a, b, by.share);
+  } else {
+    const Vec2 grid = at.inside.grid_at(by.place);
+    const bool is_inside = grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells;
+    if (!is_inside || at.inside.distance_to_corner(by.place) < by.reach) return false;
+    at.inside.add(grid);
   }
-  const auto cells = [&](Index own) {
-    const Vec2 grid = at.inside.nodes()[own];
-    return *half % 3 == 0 ? grid.x : *half % 3 == 1 ? grid.y : k_cells - grid.y;
-  };
-  const double from = cells(needle.near), to = cells(needle.far);
-  // Another triangle may have divided the side already.
-  for (const Index node : nodes_.on_edge(*half)) {
-    const Vec2 grid = nodes_.grid_in(needle.triangle, node);
-    const double place = *half % 3 == 0 ? grid.x : *half % 3 == 1 ? grid.y : k_cells - grid.y;
-    if ((place - from) * (place - to) < 0.0) return;
-  }
-  touch(nodes_.add_on_edge(*half, std::nearbyint(from + needle.share * (to - from))));
+  learn_nodes(triangle);
+  return at.inside.nodes().size() > before;
 }
 
 void Imprinter::widen_angles() {
-  for (int round = 0; round < k_rounds; ++round) {
-    std::vector<Needle> needles;
-    for (const auto& [triangle, face] : faces_)
-      find_needles(triangle, needles);
-    if (needles.empty()) return;
-    for (const Needle& needle : needles)
-      divide(needle);
+  std::set<Index> open;
+  for (const auto& [triangle, face] : faces_)
+    open.insert(triangle);
+  for (int round = 0; round < k_rounds && !open.empty(); ++round) {
+    std::vector<std::pair<Index, WidenedBy>> all;
+    for (const Index triangle : open) {
+      const ConstrainedDelaunay& inside = faces_.at(triangle).inside;
+      for (const WidenedBy& by : widening_nodes(inside, options_.least_angle, finest_))
+        all.emplace_back(triangle, by);
+    }
+    open.clear();
+    for (const auto& [triangle, by] : all) {
+      if (!widen(triangle, by)) continue;
+      open.insert(triangle);
+      if (!by.side) continue;
+      const auto half = outer_side(faces_.at(triangle), triangle, (*by.side)[0], (*by.side)[1]);
+      const Index twin = half ? nodes_.half_edges().twin(*half) : HalfEdges::none;
+      if (twin != HalfEdges::none) open.insert(twin / 3);
+    }
   }
 }
 
@@ -415,7 +409,10 @@ ImprintedMesh Imprinter::result() const {
     }
   }
   result.snapped = nodes_.snapped();
-  result.farthest_snap = nodes_.farthest_snap() / patch_.unit_scale();
+  double farthest = nodes_.farthest_snap();
+  for (const auto& [triangle, face] : faces_)
+    farthest = std::max(farthest, face.inside.farthest());
+  result.farthest_snap = farthest / patch_.unit_scale();
   return result;
 }
 

@@ -188,6 +188,11 @@ double LineNodes::cells_along(Index half, Index number) const {
   return at.element == half ? at.grid.x : k_cells - at.grid.x;
 }
 
+Index LineNodes::add_between(Index half, Index from, Index to, double share) {
+  const double begin = cells_along(half, from), end = cells_along(half, to);
+  return add_on_edge(half, std::nearbyint(begin + share * (end - begin)));
+}
+
 std::vector<Index> LineNodes::along(Index half, Index from, Index to) const {
   double begin = cells_along(half, from), end = cells_along(half, to);
   const bool is_back = begin > end;

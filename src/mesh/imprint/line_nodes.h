@@ -54,6 +54,9 @@ class LineNodes {
   /// @param apart how far what it stands for is from the edge, scaled
   Index add_on_edge(Index half, double cells, double apart = 0.0);
 
+  /// The same, a share of the way between two nodes on it.
+  Index add_between(Index half, Index from, Index to, double share);
+
   /// The nodes on the edge of a half-edge, its ends not among them, in its direction.
   std::vector<Index> on_edge(Index half) const;
   /// Nodes in its direction between two that lie on one edge, both among them.

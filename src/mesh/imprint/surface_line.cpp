@@ -25,6 +25,29 @@ Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions) {
          place.shares[2] * positions[place.corners[2]];
 }
 
+double jag_of(std::span<const Vec3> line, double edge) {
+  constexpr double edges = 4.0;
+  std::vector<double> along = {0.0};
+  for (std::size_t i = 1; i < line.size(); ++i)
+    along.push_back(along.back() + norm(line[i] - line[i - 1]));
+  const double whole = along.back(), parts = std::round(whole / (edges * edge));
+  if (!(parts >= 2.0) || !std::isfinite(parts)) return 1.0;
+  double chords = 0.0;
+  Vec3 before = line.front();
+  std::size_t i = 1;
+  for (double k = 1.0; k <= parts; k += 1.0) {
+    const double at = k < parts ? k / parts * whole : whole;
+    while (i + 1 < line.size() && along[i] < at)
+      ++i;
+    const double step = along[i] - along[i - 1];
+    const double share = step > 0.0 ? (at - along[i - 1]) / step : 1.0;
+    const Vec3 here = line[i - 1] + share * (line[i] - line[i - 1]);
+    chords += norm(here - before);
+    before = here;
+  }
+  return whole / chords;
+}
+
 SurfacePoint nearest_place(const Patch& patch, Vec3 point) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))

@@ -53,6 +53,7 @@ TEST_F(Cut, LetsATubeBeLaidFlat) {
   const auto json = result.json();
   EXPECT_EQ(json["cut"]["edges"], 5);
   EXPECT_EQ(json["cut"]["length"], 5.0);
+  EXPECT_EQ(json["cut"]["jag"], 1.0);
   EXPECT_LT(json["strain"]["max"], 1e-9);
   EXPECT_FALSE(planish({"unfold", "panel.obj", "-o", "b.svg", "--json"}).json().contains("cut"));
 }
@@ -73,6 +74,17 @@ TEST_F(Cut, LeavesSidesOfOtherLengthsAndSaysSo) {
   EXPECT_THAT(planish(matched).err, Not(HasSubstr("two stretches")));
   EXPECT_THAT(planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.txt"}).err,
               Not(HasSubstr("two stretches")));
+}
+
+TEST_F(Cut, TellsOfDrawnLinesThatEndInside) {
+  write_text("two.obj", "v 6 0 2.4\nv 6 4 4\nl 1 2\nv 3 0 1.5\nv 3 4 3.1\nl 3 4\n");
+  const auto told = [&](const std::string& lines) {
+    return planish({"unfold", "hill.obj", "-o", "a.svg", "--unit", "cm", "--cut", lines}).err;
+  };
+  EXPECT_THAT(told("two.obj"), HasSubstr("the end of two.obj:3 stays free, "));
+  EXPECT_THAT(told("two.obj"), HasSubstr(" from the border; so does that of 1 other line"));
+  write_text("across.obj", "v 6 0 2.4\nv 6 8 2.4\nl 1 2\n");
+  EXPECT_THAT(flatten_with("hill.obj", {"--cut", "across.obj"}).err, Not(HasSubstr("free")));
 }
 
 TEST_F(Cut, TakesADrawing) {

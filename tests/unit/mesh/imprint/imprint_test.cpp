@@ -53,7 +53,11 @@ void try_random_lines(const TriMesh& mesh, std::size_t lines, std::uint64_t seed
   }
   const std::vector<SurfaceLine> on_mesh = traced(patch, drawn);
   const ImprintedMesh imprinted = imprint(patch, on_mesh);
-  EXPECT_LE(expect_sound(imprinted, patch, on_mesh).thin_share(), most_slivers);
+  const lines::Figures figures = expect_sound(imprinted, patch, on_mesh);
+  EXPECT_LE(figures.thin_share(), most_slivers);
+  // Where no angle of lines and edges is so small itself, there are hardly any.
+  EXPECT_LE(static_cast<double>(figures.thin - figures.given),
+            0.005 * static_cast<double>(figures.triangles));
 }
 
 TEST(Imprint, OfALineThroughOneTriangle) {
@@ -172,11 +176,52 @@ TEST(JoinLines, LeadsEndsOnToLinesAndTheBorder) {
             imprinted.mesh.positions.size() + first.size() + second.size());
 }
 
+TEST(JoinLines, LeadsAheadWhereALineRunsBesideAnother) {
+  const TriMesh mesh = meshes::flat_grid(20, 10);
+  const Patch patch(mesh);
+  const auto line = [&](Vec3 a, Vec3 b) { return traced(patch, {{a, b}}).at(0); };
+  const JoinedLines joined = join_lines(
+      patch, {line({0.0, 5.2, 0.0}, {20.0, 5.2, 0.0}), line({8.0, 5.5, 0.0}, {12.0, 5.5, 0.0})},
+      0.5);
+  ASSERT_EQ(joined.joined.size(), 2U);
+  EXPECT_NEAR(joined.joined[0].distance, 0.3, 1e-9);
+  const Vec3 first = position_of(joined.lines[1].front(), mesh.positions),
+             last = position_of(joined.lines[1].back(), mesh.positions);
+  EXPECT_NEAR(norm(first - Vec3{8.0 - 1.8, 5.2, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(norm(last - Vec3{12.0 + 1.8, 5.2, 0.0}), 0.0, 1e-9);
+  expect_sound(imprint(patch, joined.lines), patch, joined.lines);
+  // Not beyond the end of the other line.
+  const JoinedLines shorter = join_lines(
+      patch, {line({0.0, 5.2, 0.0}, {13.0, 5.2, 0.0}), line({8.0, 5.5, 0.0}, {12.0, 5.5, 0.0})},
+      0.5);
+  EXPECT_NEAR(norm(position_of(shorter.lines[1].back(), mesh.positions) - Vec3{13.0, 5.2, 0.0}),
+              0.0, 1e-9);
+}
+
+TEST(JagOf, IsOfTeethAndBends) {
+  EXPECT_EQ(jag_of({}, 1.0), 1.0);
+  std::vector<Vec3> straight, teeth, round;
+  for (int k = 0; k <= 400; ++k) {
+    const double turn = 0.0174532925199433 * 0.9 * k;
+    straight.push_back({0.1 * k, 0.0, 0.0});
+    teeth.push_back({0.1 * k, k % 2 == 0 ? 0.0 : 0.1, 0.0});
+    round.push_back({10.0 * std::cos(turn), 10.0 * std::sin(turn), 0.0});
+  }
+  EXPECT_NEAR(jag_of(straight, 1.0), 1.0, 1e-12);
+  EXPECT_NEAR(jag_of(teeth, 1.0), std::sqrt(2.0), 1e-3);
+  const double chord = 62.83 / 16.0;  // round(62.83 / 4) parts
+  EXPECT_NEAR(jag_of(round, 1.0) - 1.0, chord * chord / 2400.0, 1e-4);
+  EXPECT_EQ(jag_of(round, 40.0), 1.0);
+}
+
 TEST(JoinLines, LeavesWhatIsFarAndWhatMeetsAlready) {
   const Patch patch(meshes::flat_grid(10, 10));
   const auto line = [&](Vec3 a, Vec3 b) { return traced(patch, {{a, b}}).at(0); };
   const auto far = join_lines(patch, {line({2.0, 3.0, 0.0}, {2.0, 6.1, 0.0})}, 0.5);
   EXPECT_TRUE(far.joined.empty());
+  ASSERT_EQ(far.free.size(), 2U);
+  EXPECT_NEAR(far.free[1].distance, 2.0, 1e-12);
+  EXPECT_FALSE(far.free[1].to);
   const auto closed = traced(patch, {{{3, 3, 0}, {6, 3, 0}, {6, 6, 0}, {3, 3, 0}}});
   EXPECT_TRUE(join_lines(patch, closed, 5.0).joined.empty());
 }

@@ -52,6 +52,7 @@
 #include <planish/mesh/tri_mesh.h>
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>
+#include <planish/panels/suggest_panels.h>
 #include <planish/pattern/allowance.h>
 #include <planish/pattern/curve.h>
 #include <planish/pattern/marks.h>

@@ -5,16 +5,11 @@
 
 namespace planish {
 
-namespace {
-
-/// Of the angle between a and b; large, not infinite, where they are parallel.
 double cotangent(Vec3 a, Vec3 b) {
   constexpr double least_sine = 1e-3;
   const double sine = std::max(norm(cross(a, b)), least_sine * norm(a) * norm(b));
   return sine > 0.0 ? dot(a, b) / sine : 0.0;
 }
-
-}  // namespace
 
 std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring, RingEnds ends) {
   std::vector<double> weights(ring.size(), 0.0);

@@ -7,6 +7,9 @@
 
 namespace planish {
 
+/// Of the angle between a and b; large, not infinite, where they are parallel.
+double cotangent(Vec3 a, Vec3 b);
+
 /// Whether the last vertex of a ring makes a triangle with the first.
 enum class RingEnds { joined, open };
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include <planish/core/context.h>
+#include <planish/measure/limit_check.h>
+#include <planish/mesh/patch.h>
+
+namespace planish {
+
+/// What a division into panels saves first.
+enum class PanelPreference {
+  few,       ///< pieces
+  shortest,  ///< the length of seams
+  simple,    ///< slits: there are none that end inside a piece
+};
+/// "few", "shortest" or "simple".
+std::string_view to_string(PanelPreference preference);
+
+/// One piece of a divided product.
+struct SuggestedPanel {
+  std::vector<Index> triangles;  ///< of PanelSuggestion::mesh, increasing
+  double area = 0.0;             ///< of that of the product
+  bool has_pattern = false;      ///< unfold() takes it
+  bool overlaps = false;         ///< its pattern lies over itself by more than a hair
+  EdgeStrain strain = {};        ///< of its pattern
+};
+
+/// A product divided into panels.
+struct PanelSuggestion {
+  TriMesh mesh;                           ///< the product, as imprint() makes seams edges of it
+  std::vector<std::vector<Index>> seams;  ///< vertices of the mesh along each, from end to end
+  std::vector<SuggestedPanel> panels;     ///< by their smallest triangles
+  double length = 0.0;                    ///< of the seams, model units
+  std::size_t tips = 0;                   ///< ends of slits inside panels
+  double cost = 0.0;                      ///< J (docs/panels.md)
+  /// Every panel keeps the limit and has a pattern that lies nowhere over itself.
+  bool met = false;
+};
+
+/// What panels have to keep, and how long they are looked for.
+struct PanelOptions {
+  double max_rms = 0.02;                          ///< of the rms strain of each, 0 to 1
+  PanelPreference prefer = PanelPreference::few;  ///< what is saved first
+  std::size_t moves = 12;                         ///< divisions that are tried, 1 or more
+  std::size_t trial_vertices = 3000;              ///< of the thinned product, at least 100
+  /// Called with each division that is better than those before, from the calling thread. What it
+  /// throws ends the search and is passed on.
+  std::function<void(const PanelSuggestion&)> on_better = {};
+};
+
+/// Divides a product into few panels with short seams, of which each can be laid flat within the
+/// limit (docs/panels.md). The same bits every time, whatever the number of threads.
+/// @return the best that was found; `met` says whether it keeps the limit
+/// @throws Error several_components, handles, option_out_of_range, what stands in the way of
+///   Purpose::measure; Cancelled
+PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options = {},
+                               const Context& context = {});
+
+}  // namespace planish

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+
+#include <planish/mesh/patch.h>
+
+#include "core/thread_pool.h"
+
+namespace planish {
+
+/// A product over fewer of its vertices, closed or with borders (coarsen()).
+/// @param vertices about so many are left
+/// @throws Cancelled
+Patch thinned_product(const Patch& patch, std::size_t vertices, const ThreadPool& pool);
+
+}  // namespace planish

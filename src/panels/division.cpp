@@ -1,0 +1,82 @@
+#include "panels/division.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "panels/cells/divided_cells.h"
+#include "panels/cells/merge_cells.h"
+#include "panels/cells/normal_cells.h"
+#include "panels/cells/tie_lines.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_least_cell = 0.002;  // of the area
+constexpr double k_of_limit = 0.5;      // for the strain of cells, before they are merged
+constexpr double k_least_spread = 0.5;  // mean edges
+
+/// Of 0 to 1 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
+double next_random(std::uint64_t& state) {
+  std::uint64_t z = state += 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+}
+
+std::vector<double> favours(std::size_t chains, std::uint64_t seed) {
+  std::vector<double> factors(seed == 0 ? 0 : chains);
+  for (double& factor : factors)
+    factor = 0.6 + 0.8 * next_random(seed);
+  return factors;
+}
+
+/// Fair lines, less so where they would bring a cell over the limit.
+CellMesh lined_cells(const PanelMesh& mesh, std::span<const Index> cells, double limit,
+                     double spread, ThreadPool& pool) {
+  while (true) {
+    const Eigen::MatrixXd fields = cell_fields(mesh, cells, spread, pool);
+    CellMesh lined = imprinted_cells(mesh.patch(), tie_lines(mesh, fields), k_least_cell);
+    const SeamState state(lined.mesh, open_between(lined.mesh, lined.cells), pool);
+    const bool keeps =
+        std::all_of(state.pieces().begin(), state.pieces().end(),
+                    [&](const PanelPiece& piece) { return piece.strain() <= limit; });
+    if (keeps || spread < k_least_spread) return lined;
+    spread *= 0.6;
+  }
+}
+
+}  // namespace
+
+DivisionWay way_of_move(std::size_t move) {
+  if (move == 0) return {};
+  constexpr std::array<std::size_t, 4> cells = {70, 50, 100, 85};
+  constexpr std::array<double, 5> limits = {0.3, 0.45, 0.6, 0.25, 0.8};
+  constexpr std::array<double, 3> spreads = {1.5, 2.5, 2.0};
+  return {cells[move % 4], limits[move % 5], spreads[move % 3], move};
+}
+
+Division divided(const PanelMesh& mesh, double limit, const SeamPrices& prices,
+                 const DivisionWay& way, ThreadPool& pool) {
+  std::vector<Index> all(mesh.triangles().size());
+  std::iota(all.begin(), all.end(), Index{0});
+  const std::vector<Index> small =
+      divided_cells(mesh, normal_cells(mesh, all, way.cells), k_of_limit * limit, pool);
+  const std::vector<Index> cells =
+      merge_cells(mesh, small, {.limit = way.merge_limit * limit}, pool);
+  CellMesh lined = lined_cells(mesh, cells, limit, way.spread, pool);
+  OpenEdges seams = open_between(lined.mesh, lined.cells);
+  std::vector<SeamChain> chains = seam_chains(lined.mesh, seams);
+  const auto net = std::make_shared<const SeamNet>(
+      SeamNet{std::move(lined.mesh), std::move(seams), std::move(chains)});
+  FlatState flat =
+      zipped_flat(SeamState(net->mesh, net->seams, pool), net->chains, limit, prices,
+                  favours(net->chains.size(), way.seed), OpenEdges(net->seams.size(), 0), pool);
+  Division division{net, std::move(flat.state), flat.lies_flat, 0.0};
+  division.cost = division.state.cost(prices);
+  return division;
+}
+
+}  // namespace planish

@@ -1,0 +1,120 @@
+#include "panels/finish.h"
+
+#include <utility>
+
+#include "panels/carried_seams.h"
+#include "panels/divided_piece.h"
+#include "panels/piece/laid_flat.h"
+#include "panels/seams/unzip.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_least_piece = 0.01;  // of the area
+constexpr double k_least_part = 0.002;  // of the area, where nothing else mends a piece
+constexpr double k_step = 0.02;         // of the root of the area, by which runs are opened
+constexpr double k_below = 0.995;       // of the limit that is aimed at
+constexpr int k_rounds = 12;
+constexpr int k_divisions = 5;  // in two of what nothing else mends
+
+class Finishing {
+ public:
+  Finishing(std::shared_ptr<const SeamNet> net, OpenEdges open, double limit,
+            const SeamPrices& prices, ThreadPool& pool)
+      : net_(std::move(net)),
+        state_(net_->mesh, std::move(open), pool),
+        limit_(limit),
+        prices_(prices),
+        pool_(pool) {}
+
+  FinishedDivision run() {
+    lay_flat();
+    for (int round = 0; round < k_rounds && open_more(); ++round)
+      lay_flat();
+    FinishedDivision result{net_, state_.open(), {}, true, state_.cost(prices_), state_.tips()};
+    for (std::size_t p = 0; p < flat_.size(); ++p) {
+      if (state_.pieces()[p].triangles.empty()) continue;
+      result.is_valid = result.is_valid && flat_[p].keeps(limit_);
+      result.pieces.push_back(std::move(flat_[p]));
+    }
+    return result;
+  }
+
+ private:
+  /// Pieces that are new.
+  void lay_flat() {
+    const std::size_t first = flat_.size(), count = state_.pieces().size() - first;
+    flat_.resize(state_.pieces().size());
+    pool_.for_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = first + begin; i < first + end; ++i)
+        flat_[i] = laid(state_.pieces()[i]);
+    });
+  }
+
+  FlatPiece laid(const PanelPiece& piece) const {
+    FlatPiece result{piece.triangles, piece.area, false, false, {}};
+    if (piece.triangles.empty()) return result;
+    const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
+    const auto flat = laid_flat(net_->mesh, corners, limit_, {.threads = 1});
+    if (!flat) return result;
+    result.has_pattern = true;
+    result.overlaps = flat->pattern.overlaps;
+    result.strain = flat->strain;
+    return result;
+  }
+
+  /// False where nothing can be done.
+  bool open_more() {
+    bool changed = false;
+    const std::size_t count = flat_.size();
+    for (std::size_t p = 0; p < count; ++p) {
+      const PanelPiece& piece = state_.pieces()[p];
+      if (piece.triangles.empty() || flat_[p].keeps(limit_)) continue;
+      // What laps is smaller once it is divided, and may keep the limit then.
+      if (flat_[p].overlaps || !flat_[p].has_pattern) {
+        changed = divide(p) || changed;
+        continue;
+      }
+      const double aim = piece.strain() * k_below * limit_ / flat_[p].strain.rms;
+      const std::size_t before = state_.pieces().size();
+      unzip(state_, net_->chains, p, aim, k_step, pool_);
+      changed = changed || state_.pieces().size() > before;
+    }
+    return changed;
+  }
+
+  bool divide(std::size_t p) {
+    const std::vector<Index> run = lapping_run(state_, net_->chains, p, prices_.piece).run;
+    if (run.empty()) return false;
+    state_.open(run, state_.opened_pieces(run));
+    return true;
+  }
+
+  std::shared_ptr<const SeamNet> net_;
+  SeamState state_;
+  double limit_;
+  SeamPrices prices_;
+  ThreadPool& pool_;
+  std::vector<FlatPiece> flat_;  // by piece of the state
+};
+
+}  // namespace
+
+FinishedDivision finished(const Patch& product, const Division& division, double limit,
+                          const SeamPrices& prices, ThreadPool& pool) {
+  CarriedSeams carried =
+      carried_seams(product, *division.net, division.state.open(), k_least_piece);
+  for (int round = 0;; ++round) {
+    const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
+    FinishedDivision result = Finishing(net, std::move(carried.open), limit, prices, pool).run();
+    if (result.is_valid || round == k_divisions) return result;
+    std::vector<std::vector<Index>> bad;
+    for (const FlatPiece& piece : result.pieces) {
+      if (!piece.keeps(limit)) bad.push_back(piece.triangles);
+    }
+    carried = with_pieces_divided(*net, result.open, bad, k_least_part, pool);
+  }
+}
+
+}  // namespace planish

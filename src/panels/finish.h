@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <planish/unfold/strain.h>
+
+#include "panels/division.h"
+
+namespace planish {
+
+/// A piece of a product and its pattern.
+struct FlatPiece {
+  std::vector<Index> triangles;  ///< of the net's mesh, increasing
+  double area = 0.0;             ///< of that of the product
+  bool has_pattern = false;
+  bool overlaps = false;
+  EdgeStrain strain = {};
+
+  bool keeps(double limit) const { return has_pattern && !overlaps && strain.rms <= limit; }
+};
+
+/// A division of a product itself.
+struct FinishedDivision {
+  std::shared_ptr<const SeamNet> net;
+  OpenEdges open;
+  std::vector<FlatPiece> pieces;
+  bool is_valid = false;  ///< each piece keeps the limit and lies nowhere over itself
+  double cost = 0.0;      ///< SeamState::cost()
+  std::size_t tips = 0;
+};
+
+/// Carries a division over to the product, lays every piece flat, and opens closed runs: where the
+/// limit is not kept from their ends (unzip()), where a piece laps one that divides it
+/// (lapping_pieces()).
+/// @throws Cancelled
+FinishedDivision finished(const Patch& product, const Division& division, double limit,
+                          const SeamPrices& prices, ThreadPool& pool);
+
+}  // namespace planish

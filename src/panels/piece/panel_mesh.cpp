@@ -1,0 +1,118 @@
+#include "panels/piece/panel_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/neumaier_sum.h"
+#include "geometry/angle_between.h"
+#include "geometry/cotangents.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/edge_sides.h"
+#include "solve/dissection.h"
+
+namespace planish {
+
+PanelMesh::PanelMesh(Patch patch) : patch_(std::move(patch)) {
+  const std::vector<Vec3>& x = patch_.positions();
+  NeumaierSum area;
+  for (const Triangle& t : triangles()) {
+    areas_.push_back(0.5 * norm(cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]])));
+    area.add(areas_.back());
+    std::array<double, 3> angle{}, cot{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = x[t[(i + 1) % 3]] - x[t[i]], b = x[t[(i + 2) % 3]] - x[t[i]];
+      angle[i] = angle_between(a, b);
+      cot[i] = cotangent(a, b);
+    }
+    angles_.push_back(angle);
+    cotangents_.push_back(cot);
+  }
+  scale_ = area.value() > 0.0 ? 1.0 / std::sqrt(area.value()) : 1.0;
+  for (double& part : areas_)
+    part *= scale_ * scale_;
+  pair_sides();
+  NeumaierSum length;
+  for (PanelEdge& edge : edges_) {
+    edge.length = scale_ * norm(x[edge.ends[1]] - x[edge.ends[0]]);
+    length.add(edge.length);
+  }
+  if (!edges_.empty()) mean_edge_ = length.value() / static_cast<double>(edges_.size());
+  rank_vertices();
+}
+
+void PanelMesh::rank_vertices() {
+  Graph graph;
+  const auto count = static_cast<Index>(patch_.vertex_count());
+  for (Index v = 0; v < count; ++v) {
+    std::vector<Index> near(patch_.ring(v).begin(), patch_.ring(v).end());
+    for (const Index w : patch_.ring(v))
+      near.insert(near.end(), patch_.ring(w).begin(), patch_.ring(w).end());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::erase(near, v);
+    graph.neighbours.insert(graph.neighbours.end(), near.begin(), near.end());
+    graph.start.push_back(graph.neighbours.size());
+  }
+  rank_.resize(count);
+  const std::vector<Index> order = nested_dissection(patch_.positions(), graph);
+  for (Index k = 0; k < count; ++k)
+    rank_[order[k]] = k;
+}
+
+void PanelMesh::pair_sides() {
+  sides_.resize(triangles().size());
+  const std::vector<EdgeSide> sorted = sorted_sides(patch_.mesh());
+  for (const EdgeSides& sides : group_by_edge(sorted)) {
+    PanelEdge edge;
+    edge.ends = {sides.begin->low, sides.begin->high};
+    for (const EdgeSide* side = sides.begin; side < sides.end; ++side) {
+      edge.triangles[static_cast<std::size_t>(side - sides.begin)] = side->triangle;
+      sides_[side->triangle][side->corner] = static_cast<Index>(edges_.size());
+    }
+    edges_.push_back(edge);
+  }
+}
+
+double open_length(const PanelMesh& mesh, const OpenEdges& open) {
+  NeumaierSum sum;
+  for (std::size_t e = 0; e < open.size(); ++e) {
+    if (open[e] != 0) sum.add(mesh.edges()[e].length);
+  }
+  return sum.value();
+}
+
+std::vector<std::vector<Index>> open_parts(const PanelMesh& mesh, const OpenEdges& open,
+                                           std::span<const Index> triangles) {
+  std::vector<Index> place(mesh.triangles().size(), PanelEdge::none);
+  for (Index k = 0; k < triangles.size(); ++k)
+    place[triangles[k]] = k;
+  DisjointSets<Index> sets(triangles.size());
+  for (const Index t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index e = mesh.edge_of(t, i), other = mesh.edges()[e].other(t);
+      if (open[e] == 0 && other != PanelEdge::none && place[other] != PanelEdge::none)
+        sets.join(place[t], place[other]);
+    }
+  }
+  std::vector<std::vector<Index>> parts;
+  std::vector<Index> part_of(triangles.size(), PanelEdge::none);
+  for (Index k = 0; k < triangles.size(); ++k) {
+    Index& part = part_of[sets.first_of(k)];
+    if (part == PanelEdge::none) {
+      part = static_cast<Index>(parts.size());
+      parts.emplace_back();
+    }
+    parts[part].push_back(triangles[k]);
+  }
+  return parts;
+}
+
+std::vector<std::vector<Index>> open_parts(const PanelMesh& mesh, const OpenEdges& open) {
+  std::vector<Index> all(mesh.triangles().size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return open_parts(mesh, open, all);
+}
+
+}  // namespace planish

@@ -1,0 +1,137 @@
+#include "panels/seams/flat_zip.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "geometry/crosses_itself.h"
+#include "mesh/disjoint_sets.h"
+#include "panels/piece/laid_flat.h"
+#include "panels/seams/zip.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_crossings = 1000;  // that are looked at
+constexpr double k_least_part = 0.01;      // of the area that a run divides off
+constexpr int k_repairs = 8;
+
+/// Pairs of triangles whose border edges cross in the pattern.
+std::vector<std::array<Index, 2>> crossing_triangles(const LaidFlat& flat,
+                                                     std::span<const Index> triangles) {
+  std::map<std::array<Index, 2>, Index> triangle_at;
+  for (Index k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = flat.patch.triangles()[k];
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle_at[{t[i], t[(i + 1) % 3]}] = triangles[k];
+  }
+  std::vector<Vec2> places;
+  std::vector<std::size_t> sizes;
+  std::vector<Index> beside;
+  for (const std::vector<Index>& loop : flat.patch.border_loops()) {
+    sizes.push_back(loop.size());
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      places.push_back(flat.pattern.positions[loop[k]]);
+      beside.push_back(triangle_at.at({loop[k], loop[(k + 1) % loop.size()]}));
+    }
+  }
+  std::vector<std::array<Index, 2>> pairs;
+  for (const auto& [a, b] : crossing_sides(places, LoopOrder(sizes), k_crossings))
+    pairs.push_back({beside[a], beside[b]});
+  return pairs;
+}
+
+/// Parts of a piece once a run is open.
+class Divided {
+ public:
+  Divided(const SeamState& state, std::size_t piece, std::span<const Index> run)
+      : sets_(state.mesh().triangles().size()), piece_(state.pieces()[piece]) {
+    const PanelMesh& mesh = state.mesh();
+    for (const Index t : piece_.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index e = mesh.edge_of(t, i), other = mesh.edges()[e].other(t);
+        if (other == PanelEdge::none || state.open()[e] != 0) continue;
+        if (std::find(run.begin(), run.end(), e) == run.end()) sets_.join(t, other);
+      }
+    }
+    for (const Index t : piece_.triangles)
+      areas_[sets_.first_of(t)] += mesh.area(t);
+  }
+  bool is_divided() const { return areas_.size() > 1; }
+  double least_area() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [first, area] : areas_)
+      least = std::min(least, area);
+    return least;
+  }
+  bool parts(const std::array<Index, 2>& pair) {
+    return sets_.first_of(pair[0]) != sets_.first_of(pair[1]);
+  }
+
+ private:
+  DisjointSets<Index> sets_;
+  const PanelPiece& piece_;
+  std::map<Index, double> areas_;
+};
+
+std::vector<Index> dividing_run(const SeamState& state, const std::vector<SeamChain>& chains,
+                                std::size_t piece, double piece_price,
+                                std::span<const std::array<Index, 2>> crossings) {
+  std::vector<Index> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Index>& run : closed_runs(state, chains, piece)) {
+    Divided divided(state, piece, run);
+    if (!divided.is_divided() || divided.least_area() < k_least_part) continue;
+    std::size_t undone = crossings.empty() ? 1 : 0;
+    for (const auto& pair : crossings)
+      undone += divided.parts(pair) ? 1 : 0;
+    double cost = piece_price;
+    for (const Index e : run)
+      cost += state.mesh().edges()[e].length;
+    if (undone > 0 && cost / static_cast<double>(undone) < least) {
+      least = cost / static_cast<double>(undone);
+      best = run;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& chains,
+                       std::size_t piece, double piece_price) {
+  const std::vector<Index>& triangles = state.pieces()[piece].triangles;
+  const PieceCorners corners(state.mesh(), state.open(), triangles);
+  const auto flat = laid_flat(state.mesh(), corners, 0.0, {.threads = 1});
+  if (flat && !flat->pattern.overlaps) return {};
+  std::vector<std::array<Index, 2>> crossings;
+  if (flat) crossings = crossing_triangles(*flat, triangles);
+  return {true, dividing_run(state, chains, piece, piece_price, crossings)};
+}
+
+FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
+                      const SeamPrices& prices, std::vector<double> favour, OpenEdges held,
+                      ThreadPool& pool) {
+  Zip zip(chains, limit, prices, pool, std::move(favour));
+  for (int round = 0;; ++round) {
+    zip.run(state, held);
+    OpenEdges open = state.open();
+    bool laps = false, is_stuck = true;
+    for (std::size_t p = 0; p < state.pieces().size(); ++p) {
+      if (state.pieces()[p].triangles.empty()) continue;
+      const LappingRun lapping = lapping_run(state, chains, p, prices.piece);
+      laps = laps || lapping.laps;
+      for (const Index e : lapping.run) {
+        open[e] = held[e] = 1;
+        is_stuck = false;
+      }
+    }
+    if (is_stuck || round == k_repairs) return {std::move(state), !laps};
+    state = SeamState(state.mesh(), std::move(open), pool);
+  }
+}
+
+}  // namespace planish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <planish/core/context.h>
+
+#include "core/thread_pool.h"
+#include "panels/seams/seam_chains.h"
+#include "panels/seams/seam_state.h"
+
+namespace planish {
+
+/// Of a piece whose pattern lies over itself: the edges of a closed run that divides it, so that
+/// sides which cross come to lie in different parts, the one that is shortest for the crossings
+/// that it undoes; of a piece without a pattern the shortest. Nothing where there is none.
+/// @param piece_price what a piece more costs
+/// @return nothing too where the piece lies flat; `laps` says which
+/// @throws Cancelled
+struct LappingRun {
+  bool laps = false;
+  std::vector<Index> run;
+};
+LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& chains,
+                       std::size_t piece, double piece_price);
+
+/// What zipped_flat() found.
+struct FlatState {
+  SeamState state;
+  bool lies_flat = false;  ///< no piece lies over itself
+};
+
+/// Closes seams as Zip does. Where a piece then laps, a run that divides it is opened and held
+/// open, and seams are closed again; some times.
+/// @param held by edge: 1 for those that stay open
+/// @throws Cancelled
+FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
+                      const SeamPrices& prices, std::vector<double> favour, OpenEdges held,
+                      ThreadPool& pool);
+
+}  // namespace planish

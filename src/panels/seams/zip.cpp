@@ -1,0 +1,174 @@
+#include "panels/seams/zip.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace planish {
+
+namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr std::size_t k_batch = 4;  // of actions that are tried together
+// An action that would add so much of what it last did and break the limit is not tried.
+constexpr double k_as_before = 0.85;
+
+}  // namespace
+
+std::vector<Index> Zip::edges_of(const Action& action) const {
+  const std::vector<Index>& edges = chains_[action.chain].edges;
+  return {edges.begin() + static_cast<std::ptrdiff_t>(action.first),
+          edges.begin() + static_cast<std::ptrdiff_t>(action.last)};
+}
+
+void Zip::add_actions_of(const SeamState& state, std::size_t chain, std::size_t first,
+                         std::size_t last, double step, std::vector<Action>& found) const {
+  const auto& all = state.mesh().edges();
+  const std::vector<Index>& edges = chains_[chain].edges;
+  double length = 0.0;
+  for (std::size_t i = first; i < last; ++i)
+    length += all[edges[i]].length;
+  if (length <= 1.5 * step || last - first == 1) {
+    found.push_back({chain, first, last, 3});
+    return;
+  }
+  // The first place at which so much of the run is behind.
+  const auto place_at = [&](double behind) {
+    double sum = 0.0;
+    std::size_t i = first;
+    while (i < last && sum + 0.5 * all[edges[i]].length < behind)
+      sum += all[edges[i++]].length;
+    return i;
+  };
+  const std::size_t front = std::max(place_at(step), first + 1);
+  const std::size_t back = std::min(place_at(length - step), last - 1);
+  found.push_back({chain, first, front, 0});
+  found.push_back({chain, back, last, 1});
+  const auto& sides = all[edges[first]].triangles;
+  if (state.piece_of(sides[0]) == state.piece_of(sides[1])) return;
+  const std::size_t begin = place_at(0.5 * (length - step)), end = place_at(0.5 * (length + step));
+  if (begin > first && end < last && begin < end) found.push_back({chain, begin, end, 2});
+}
+
+std::vector<Zip::Action> Zip::actions(const SeamState& state, const OpenEdges& held,
+                                      double step) const {
+  std::vector<Action> found;
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    const std::vector<Index>& edges = chains_[c].edges;
+    const auto may_close = [&](std::size_t i) {
+      return state.open()[edges[i]] != 0 && held[edges[i]] == 0;
+    };
+    for (std::size_t first = 0; first < edges.size();) {
+      std::size_t last = first;
+      while (last < edges.size() && may_close(last))
+        ++last;
+      if (last > first) add_actions_of(state, c, first, last, step, found);
+      first = last + 1;
+    }
+  }
+  return found;
+}
+
+Zip::Key Zip::key_of(const SeamState& state, const Action& action) const {
+  const Index edge = chains_[action.chain].edges[action.first];
+  const auto& sides = state.mesh().edges()[edge].triangles;
+  const auto [low, high] = std::minmax({state.piece_of(sides[0]), state.piece_of(sides[1])});
+  return {action.chain, action.first, action.last, low, high};
+}
+
+Zip::Outcome Zip::try_out(const SeamState& state, const Action& action) const {
+  Outcome outcome{{}, k_never, k_never};
+  const std::vector<Index> edges = edges_of(action);
+  const auto& sides = state.mesh().edges()[edges.front()].triangles;
+  const Index p = state.piece_of(sides[0]), q = state.piece_of(sides[1]);
+  const PanelPiece &a = state.pieces()[p], &b = state.pieces()[q];
+  const double before = a.energy + (p == q ? 0.0 : b.energy);
+  const double most = limit_ * limit_ * (a.area + (p == q ? 0.0 : b.area));
+  double length = 0.0;
+  for (const Index e : edges)
+    length += state.mesh().edges()[e].length;
+  const double gain =
+      length + (p == q ? 0.0 : prices_.piece) - prices_.tip * state.more_tips(edges);
+  if (before > most || gain <= 0.0) return outcome;
+  const std::size_t most_loops = p == q ? a.loops : a.loops + b.loops - 1;
+  outcome.piece = state.closed_piece(edges, most_loops);
+  outcome.more = std::max(outcome.piece.energy - before, 0.0);
+  if (outcome.piece.energy > most) return outcome;
+  outcome.ratio = outcome.more / gain * (favour_.empty() ? 1.0 : favour_[action.chain]);
+  return outcome;
+}
+
+bool Zip::is_hopeless(const SeamState& state, const Action& action, double step) const {
+  const auto last = last_more_.find({step, action.chain, action.way});
+  if (action.way == 3 || last == last_more_.end()) return false;
+  const Index edge = chains_[action.chain].edges[action.first];
+  const auto& sides = state.mesh().edges()[edge].triangles;
+  const Index p = state.piece_of(sides[0]), q = state.piece_of(sides[1]);
+  if (p != q) return false;
+  const PanelPiece& piece = state.pieces()[p];
+  return piece.energy + k_as_before * last->second > limit_ * limit_ * piece.area;
+}
+
+bool Zip::close_best(SeamState& state, const OpenEdges& held, double step,
+                     std::vector<std::vector<Index>>& steps) {
+  const std::vector<Action> all = actions(state, held, step);
+  std::vector<std::pair<double, std::size_t>> order;  // the last ratio; the action
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto last = last_ratio_.find({step, all[i].chain, all[i].way});
+    order.emplace_back(last == last_ratio_.end() ? 0.0 : last->second, i);
+  }
+  std::sort(order.begin(), order.end());
+  double best_ratio = k_never;
+  std::size_t best = all.size();
+  for (std::size_t begin = 0; begin < order.size();) {
+    if (order[begin].first > best_ratio) break;
+    std::vector<std::size_t> batch, unknown;
+    for (; begin < order.size() && batch.size() < k_batch; ++begin) {
+      batch.push_back(order[begin].second);
+      const Action& action = all[batch.back()];
+      const Key key = key_of(state, action);
+      if (known_.contains(key)) continue;
+      if (is_hopeless(state, action, step))
+        known_[key] = {{}, k_never, k_never};
+      else
+        unknown.push_back(batch.back());
+    }
+    std::vector<Outcome> outcomes(unknown.size());
+    pool_.for_ranges(unknown.size(), 1, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i)
+        outcomes[i] = try_out(state, all[unknown[i]]);
+    });
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      known_[key_of(state, all[unknown[i]])] = std::move(outcomes[i]);
+    for (const std::size_t i : batch) {
+      const auto& [piece, ratio, more] = known_.at(key_of(state, all[i]));
+      const Place place{step, all[i].chain, all[i].way};
+      last_ratio_[place] = ratio;
+      if (more < k_never) last_more_[place] = more;
+      if (ratio < best_ratio) best_ratio = ratio, best = i;
+    }
+  }
+  if (best == all.size()) return false;
+  const Key key = key_of(state, all[best]);
+  steps.push_back(edges_of(all[best]));
+  PanelPiece piece = std::move(known_.at(key).piece);
+  const auto [low, high] = std::pair{std::get<3>(key), std::get<4>(key)};
+  std::erase_if(known_, [&, low = low, high = high](const auto& entry) {
+    const Index p = std::get<3>(entry.first), q = std::get<4>(entry.first);
+    return p == low || p == high || q == low || q == high;
+  });
+  state.close(steps.back(), std::move(piece));
+  return true;
+}
+
+std::vector<std::vector<Index>> Zip::run(SeamState& state, const OpenEdges& held) {
+  std::vector<std::vector<Index>> steps;
+  for (const double step : {0.15, 0.05, state.mesh().mean_edge()}) {
+    known_.clear();
+    while (close_best(state, held, step, steps)) {
+    }
+  }
+  return steps;
+}
+
+}  // namespace planish

@@ -1,0 +1,96 @@
+#include <cmath>
+
+#include <planish/mesh/cut.h>
+#include <planish/mesh/shapes.h>
+#include <planish/panels/suggest_panels.h>
+
+#include <gtest/gtest.h>
+
+#include "mesh/split.h"
+#include "support/finer.h"
+#include "support/meshes.h"
+#include "support/solids.h"
+
+namespace planish {
+namespace {
+
+TEST(SuggestPanels, DividesAClosedSurfaceWithinTheLimit) {
+  const Patch ball(solids::sphere(1.0, 24));
+  PanelOptions options;
+  options.max_rms = 0.05;
+  options.moves = 2;
+  options.trial_vertices = 500;
+  std::vector<double> costs;
+  options.on_better = [&](const PanelSuggestion& better) { costs.push_back(better.cost); };
+  const PanelSuggestion found = suggest_panels(ball, options, {.threads = 2});
+  ASSERT_TRUE(found.met);
+  ASSERT_FALSE(costs.empty());
+  EXPECT_EQ(costs.back(), found.cost);
+  double area = 0.0;
+  for (const SuggestedPanel& panel : found.panels) {
+    EXPECT_TRUE(panel.has_pattern && !panel.overlaps);
+    EXPECT_LE(panel.strain.rms, options.max_rms);
+    area += panel.area;
+  }
+  EXPECT_NEAR(area, 1.0, 1e-9);
+
+  // Cut along its seams, the mesh falls into the panels.
+  std::vector<CutPath> paths;
+  double length = 0.0;
+  for (const std::vector<Index>& seam : found.seams) {
+    paths.push_back({seam, {}});
+    length += path_length(seam, found.mesh.positions);
+  }
+  EXPECT_NEAR(length, found.length, 1e-9);
+  EXPECT_NEAR(found.cost, length / std::sqrt(meshes::area(found.mesh)) + 0.25 * found.panels.size(),
+              1e-9);
+  const CutMesh cut = cut_open(Patch(found.mesh), paths);
+  EXPECT_EQ(split(cut.mesh, "panel").size(), found.panels.size());
+
+  options.on_better = {};
+  const PanelSuggestion again = suggest_panels(ball, options, {.threads = 1});
+  EXPECT_EQ(again.seams, found.seams);
+  EXPECT_EQ(again.mesh.positions, found.mesh.positions);
+}
+
+TEST(SuggestPanels, LeavesWhatLiesFlatWhole) {
+  const PanelSuggestion found = suggest_panels(Patch(make_shape("cylinder", 500)), {.moves = 1});
+  EXPECT_TRUE(found.met);
+  EXPECT_EQ(found.panels.size(), 1U);
+  EXPECT_EQ(found.length, 0.0);
+  EXPECT_TRUE(found.seams.empty());
+}
+
+TEST(SuggestPanels, MakesNoSlitsWhereSimpleIsPreferred) {
+  PanelOptions options;
+  options.prefer = PanelPreference::simple;
+  options.moves = 1;
+  const PanelSuggestion found = suggest_panels(Patch(make_shape("dome", 800)), options);
+  EXPECT_TRUE(found.met);
+  EXPECT_EQ(found.tips, 0U);
+}
+
+TEST(SuggestPanels, RefusesWhatItCannotDivide) {
+  const auto code_of = [](const TriMesh& mesh, const PanelOptions& options) {
+    try {
+      suggest_panels(Patch(mesh), options);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::no_triangles;
+  };
+  EXPECT_EQ(code_of(meshes::torus(12, 12), {}), ErrorCode::handles);
+  EXPECT_EQ(code_of(meshes::side_by_side(solids::cube(), solids::cube()), {}),
+            ErrorCode::several_components);
+  EXPECT_EQ(code_of(solids::cube(), {.max_rms = 0.0}), ErrorCode::option_out_of_range);
+  EXPECT_EQ(code_of(solids::cube(), {.moves = 0}), ErrorCode::option_out_of_range);
+}
+
+TEST(SuggestPanels, CanBeCancelled) {
+  EXPECT_THROW(
+      suggest_panels(Patch(solids::sphere(1.0, 12)), {}, {.is_cancelled = [] { return true; }}),
+      Cancelled);
+}
+
+}  // namespace
+}  // namespace planish

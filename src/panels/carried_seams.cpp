@@ -11,7 +11,26 @@ namespace planish {
 
 namespace {
 
-constexpr double k_smoothing = 0.5;  // mean edges of the thinned product
+constexpr double k_most_move = 0.5;  // mean edges of the thinned product
+constexpr int k_straightenings = 40;
+
+/// A line of less length near a drawn one, its ends held: each point goes towards the line between
+/// those before and after it, to the share of the way that it is at.
+DrawnLine straightened(DrawnLine line, double most_move) {
+  const std::vector<Vec3> drawn = line.points;
+  for (int round = 0; round < k_straightenings; ++round) {
+    for (std::size_t i = 1; i + 1 < drawn.size(); ++i) {
+      const Vec3 before = line.points[i - 1], after = line.points[i + 1];
+      const double to_before = norm(line.points[i] - before);
+      const double way = to_before + norm(after - line.points[i]);
+      if (!(way > 0.0)) continue;
+      const Vec3 away = before + (to_before / way) * (after - before) - drawn[i];
+      const double far = norm(away);
+      line.points[i] = drawn[i] + (far > most_move ? most_move / far : 1.0) * away;
+    }
+  }
+  return line;
+}
 
 /// A part of a chain that is open all along, or closed.
 struct Run {
@@ -23,7 +42,7 @@ std::vector<Run> runs_of(const SeamNet& net, const SeamChain& chain, const OpenE
   DrawnLine line;
   for (const Index v : chain.vertices)
     line.points.push_back(net.mesh.patch().positions()[v]);
-  line = smoothed_line(std::move(line), k_smoothing * net.mesh.mean_edge() / net.mesh.scale());
+  line = straightened(std::move(line), k_most_move * net.mesh.mean_edge() / net.mesh.scale());
   std::vector<Run> runs;
   for (std::size_t i = 0; i < chain.edges.size(); ++i) {
     const bool is_open = open[chain.edges[i]] != 0;

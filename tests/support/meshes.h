@@ -2,13 +2,16 @@
 
 // Small meshes for tests, each with one property that its name tells.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <planish/mesh/tri_mesh.h>
@@ -252,6 +255,30 @@ inline Vec3 on_cylinder(double x, double y) {
 inline Vec3 on_cone(double x, double y) {
   const double angle = x / 10.0, from_apex = 15.0 + y;
   return {0.6 * from_apex * std::cos(angle), 0.6 * from_apex * std::sin(angle), 0.8 * from_apex};
+}
+
+/// Each triangle as four, the middles of sides as vertices; the four are where the one was.
+inline TriMesh finer(const TriMesh& mesh) {
+  TriMesh result{mesh.positions, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [found, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)},
+                                                     static_cast<Index>(result.positions.size()));
+    if (is_new) result.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
+    return found->second;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    const Index a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
+    result.triangles.insert(result.triangles.end(),
+                            {{t[0], a, c}, {a, t[1], b}, {c, b, t[2]}, {a, b, c}});
+  }
+  return result;
+}
+
+inline TriMesh finer(TriMesh mesh, int times) {
+  for (int i = 0; i < times; ++i)
+    mesh = finer(mesh);
+  return mesh;
 }
 
 }  // namespace planish::meshes

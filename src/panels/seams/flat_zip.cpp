@@ -115,7 +115,7 @@ LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& cha
 FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
                       const SeamPrices& prices, std::vector<double> favour, OpenEdges held,
                       ThreadPool& pool) {
-  Zip zip(chains, limit, prices, pool, std::move(favour));
+  Zip zip(chains, limit, prices, std::move(favour));
   for (int round = 0;; ++round) {
     zip.run(state, held);
     OpenEdges open = state.open();

@@ -9,7 +9,6 @@ namespace planish {
 namespace {
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
-constexpr std::size_t k_batch = 4;  // of actions that are tried together
 // An action that would add so much of what it last did and break the limit is not tried.
 constexpr double k_as_before = 0.85;
 
@@ -120,33 +119,18 @@ bool Zip::close_best(SeamState& state, const OpenEdges& held, double step,
   std::sort(order.begin(), order.end());
   double best_ratio = k_never;
   std::size_t best = all.size();
-  for (std::size_t begin = 0; begin < order.size();) {
-    if (order[begin].first > best_ratio) break;
-    std::vector<std::size_t> batch, unknown;
-    for (; begin < order.size() && batch.size() < k_batch; ++begin) {
-      batch.push_back(order[begin].second);
-      const Action& action = all[batch.back()];
-      const Key key = key_of(state, action);
-      if (known_.contains(key)) continue;
-      if (is_hopeless(state, action, step))
-        known_[key] = {{}, k_never, k_never};
-      else
-        unknown.push_back(batch.back());
+  for (const auto& [last, i] : order) {
+    if (last > best_ratio) break;
+    const Key key = key_of(state, all[i]);
+    if (!known_.contains(key)) {
+      known_[key] =
+          is_hopeless(state, all[i], step) ? Outcome{{}, k_never, k_never} : try_out(state, all[i]);
     }
-    std::vector<Outcome> outcomes(unknown.size());
-    pool_.for_ranges(unknown.size(), 1, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i)
-        outcomes[i] = try_out(state, all[unknown[i]]);
-    });
-    for (std::size_t i = 0; i < unknown.size(); ++i)
-      known_[key_of(state, all[unknown[i]])] = std::move(outcomes[i]);
-    for (const std::size_t i : batch) {
-      const auto& [piece, ratio, more] = known_.at(key_of(state, all[i]));
-      const Place place{step, all[i].chain, all[i].way};
-      last_ratio_[place] = ratio;
-      if (more < k_never) last_more_[place] = more;
-      if (ratio < best_ratio) best_ratio = ratio, best = i;
-    }
+    const auto& [piece, ratio, more] = known_.at(key);
+    const Place place{step, all[i].chain, all[i].way};
+    last_ratio_[place] = ratio;
+    if (more < k_never) last_more_[place] = more;
+    if (ratio < best_ratio) best_ratio = ratio, best = i;
   }
   if (best == all.size()) return false;
   const Key key = key_of(state, all[best]);

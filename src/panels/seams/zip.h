@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/thread_pool.h"
 #include "panels/piece/panel_mesh.h"
 #include "panels/seams/seam_chains.h"
 #include "panels/seams/seam_state.h"
@@ -21,8 +20,8 @@ class Zip {
   /// @param chains of the mesh of the states, must outlive it
   /// @param favour of each chain: what its costs are multiplied by; empty: 1 everywhere
   Zip(const std::vector<SeamChain>& chains, double limit, const SeamPrices& prices,
-      ThreadPool& pool, std::vector<double> favour = {})
-      : chains_(chains), limit_(limit), prices_(prices), pool_(pool), favour_(std::move(favour)) {}
+      std::vector<double> favour = {})
+      : chains_(chains), limit_(limit), prices_(prices), favour_(std::move(favour)) {}
 
   /// One step after the other, until nothing can be closed.
   /// @param held by edge: 1 for those that stay open
@@ -54,7 +53,6 @@ class Zip {
   const std::vector<SeamChain>& chains_;
   double limit_;
   SeamPrices prices_;
-  ThreadPool& pool_;
   std::vector<double> favour_;
   std::map<Key, Outcome> known_;
   using Place = std::tuple<double, std::size_t, int>;  // step, chain, way

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "mesh/split.h"
-#include "support/finer.h"
 #include "support/meshes.h"
 #include "support/solids.h"
 

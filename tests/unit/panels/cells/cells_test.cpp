@@ -11,7 +11,7 @@
 #include "panels/cells/tie_lines.h"
 #include "panels/piece/piece_strain.h"
 #include "panels/seams/seam_chains.h"
-#include "support/finer.h"
+#include "support/meshes.h"
 #include "support/solids.h"
 
 namespace planish {

@@ -10,7 +10,6 @@
 
 #include "panels/piece/laid_flat.h"
 #include "panels/seams/seam_chains.h"
-#include "support/finer.h"
 #include "support/meshes.h"
 #include "support/solids.h"
 

@@ -7,7 +7,6 @@
 #include "panels/cells/merge_cells.h"
 #include "panels/seams/flat_zip.h"
 #include "panels/seams/unzip.h"
-#include "support/finer.h"
 #include "support/meshes.h"
 #include "support/solids.h"
 
@@ -71,7 +70,7 @@ TEST(Zip, LeavesHeldSeamsOpen) {
   const SeamedCube cube;
   ThreadPool pool(1);
   SeamState state(cube.mesh, cube.seams, pool);
-  Zip(cube.chains, 1e-3, {}, pool).run(state, cube.seams);
+  Zip(cube.chains, 1e-3, {}).run(state, cube.seams);
   EXPECT_EQ(state.open(), cube.seams);
   EXPECT_EQ(state.piece_count(), 6U);
 }
@@ -82,7 +81,7 @@ TEST(Zip, WithMoreStrainAllowedHasShorterSeams) {
   double last = open_length(cube.mesh, cube.seams);
   for (const double limit : {0.001, 0.1, 0.2}) {
     SeamState state(cube.mesh, cube.seams, pool);
-    Zip(cube.chains, limit, {}, pool).run(state, OpenEdges(cube.seams.size(), 0));
+    Zip(cube.chains, limit, {}).run(state, OpenEdges(cube.seams.size(), 0));
     for (const PanelPiece& piece : state.pieces())
       EXPECT_LE(piece.strain(), limit);
     EXPECT_LT(open_length(cube.mesh, state.open()), last);
@@ -94,7 +93,7 @@ TEST(Unzip, KeepsTheLimit) {
   const SeamedCube cube;
   ThreadPool pool(2);
   SeamState state(cube.mesh, cube.seams, pool);
-  Zip(cube.chains, 0.2, {}, pool).run(state, OpenEdges(cube.seams.size(), 0));
+  Zip(cube.chains, 0.2, {}).run(state, OpenEdges(cube.seams.size(), 0));
   std::size_t piece = 0;
   while (state.pieces()[piece].triangles.empty())
     ++piece;

@@ -11,44 +11,58 @@ namespace planish {
 
 namespace {
 
-constexpr double k_most_move = 0.5;  // mean edges of the thinned product
-constexpr int k_straightenings = 40;
+constexpr double k_most_move = 0.7;  // mean edges of the thinned product
+constexpr int k_straightenings = 60;
 
-/// A line of less length near a drawn one, its ends held: each point goes towards the line between
+/// Makes a line shorter near where it is, its ends held: each vertex goes towards the line between
 /// those before and after it, to the share of the way that it is at.
-DrawnLine straightened(DrawnLine line, double most_move) {
-  const std::vector<Vec3> drawn = line.points;
+/// @param places of all vertices
+/// @param origin where they were
+/// @param held by vertex: those that stay
+void straighten(const std::vector<Index>& line, std::span<const Vec3> origin,
+                std::span<const unsigned char> held, double most_move, std::vector<Vec3>& places) {
   for (int round = 0; round < k_straightenings; ++round) {
-    for (std::size_t i = 1; i + 1 < drawn.size(); ++i) {
-      const Vec3 before = line.points[i - 1], after = line.points[i + 1];
-      const double to_before = norm(line.points[i] - before);
-      const double way = to_before + norm(after - line.points[i]);
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      if (held[line[i]] != 0) continue;
+      const Vec3 before = places[line[i - 1]], after = places[line[i + 1]], start = origin[line[i]];
+      const double to_before = norm(places[line[i]] - before);
+      const double way = to_before + norm(after - places[line[i]]);
       if (!(way > 0.0)) continue;
-      const Vec3 away = before + (to_before / way) * (after - before) - drawn[i];
+      const Vec3 away = before + (to_before / way) * (after - before) - start;
       const double far = norm(away);
-      line.points[i] = drawn[i] + (far > most_move ? most_move / far : 1.0) * away;
+      places[line[i]] = start + (far > most_move ? most_move / far : 1.0) * away;
     }
   }
-  return line;
 }
 
-/// A part of a chain that is open all along, or closed.
+/// A chain of edges that are open, or of closed ones.
 struct Run {
   DrawnLine line;
   bool is_open = false;
 };
 
-std::vector<Run> runs_of(const SeamNet& net, const SeamChain& chain, const OpenEdges& open) {
-  DrawnLine line;
-  for (const Index v : chain.vertices)
-    line.points.push_back(net.mesh.patch().positions()[v]);
-  line = straightened(std::move(line), k_most_move * net.mesh.mean_edge() / net.mesh.scale());
+/// Open ones go on where closed ones end.
+std::vector<Run> straight_runs(const SeamNet& net, const OpenEdges& open) {
+  OpenEdges closed = net.seams;
+  for (std::size_t e = 0; e < open.size(); ++e)
+    closed[e] = closed[e] != 0 && open[e] == 0 ? 1 : 0;
+  const std::vector<Vec3>& origin = net.mesh.patch().positions();
+  const double most_move = k_most_move * net.mesh.mean_edge() / net.mesh.scale();
+  std::vector<Vec3> places = origin;
+  std::vector<unsigned char> held(places.size(), 0);
   std::vector<Run> runs;
-  for (std::size_t i = 0; i < chain.edges.size(); ++i) {
-    const bool is_open = open[chain.edges[i]] != 0;
-    if (runs.empty() || runs.back().is_open != is_open)
-      runs.push_back({{{line.points[i]}, {}}, is_open});
-    runs.back().line.points.push_back(line.points[i + 1]);
+  for (const bool is_open : {true, false}) {
+    for (const SeamChain& chain : seam_chains(net.mesh, is_open ? open : closed)) {
+      straighten(chain.vertices, origin, held, most_move, places);
+      runs.push_back({{}, is_open});
+      for (const Index v : chain.vertices)
+        runs.back().line.points.push_back(places[v]);
+    }
+    // Closed lines leave open ones where they are.
+    for (std::size_t e = 0; e < open.size(); ++e) {
+      for (const Index v : net.mesh.edges()[e].ends)
+        held[v] = static_cast<unsigned char>(held[v] | open[e]);
+    }
   }
   return runs;
 }
@@ -86,12 +100,10 @@ CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenE
                            double least_area) {
   std::vector<SurfaceLine> lines;
   std::vector<unsigned char> is_open;
-  for (const SeamChain& chain : net.chains) {
-    for (const Run& run : runs_of(net, chain, open)) {
-      for (SurfaceLine& line : trace_lines(product, {{run.line}, {}}).lines) {
-        lines.push_back(std::move(line));
-        is_open.push_back(run.is_open ? 1 : 0);
-      }
+  for (const Run& run : straight_runs(net, open)) {
+    for (SurfaceLine& line : trace_lines(product, {{run.line}, {}}).lines) {
+      lines.push_back(std::move(line));
+      is_open.push_back(run.is_open ? 1 : 0);
     }
   }
   return imprinted_seams(product, lines, is_open, least_area);

@@ -77,27 +77,67 @@ class Divided {
   std::map<Index, double> areas_;
 };
 
-std::vector<Index> dividing_run(const SeamState& state, const std::vector<SeamChain>& chains,
-                                std::size_t piece, double piece_price,
-                                std::span<const std::array<Index, 2>> crossings) {
-  std::vector<Index> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<Index>& run : closed_runs(state, chains, piece)) {
-    Divided divided(state, piece, run);
-    if (!divided.is_divided() || divided.least_area() < k_least_part) continue;
-    std::size_t undone = crossings.empty() ? 1 : 0;
-    for (const auto& pair : crossings)
-      undone += divided.parts(pair) ? 1 : 0;
-    double cost = piece_price;
-    for (const Index e : run)
-      cost += state.mesh().edges()[e].length;
-    if (undone > 0 && cost / static_cast<double>(undone) < least) {
-      least = cost / static_cast<double>(undone);
-      best = run;
+/// Whether an end of an edge of one run is one of the other.
+bool meet(const PanelMesh& mesh, const std::vector<Index>& one, const std::vector<Index>& other) {
+  for (const Index e : {one.front(), one.back()}) {
+    for (const Index f : {other.front(), other.back()}) {
+      for (const Index v : mesh.edges()[e].ends) {
+        if (v == mesh.edges()[f].ends[0] || v == mesh.edges()[f].ends[1]) return true;
+      }
     }
   }
-  return best;
+  return false;
 }
+
+/// Looks for what divides a piece best.
+class DividingRun {
+ public:
+  DividingRun(const SeamState& state, std::size_t piece, double piece_price,
+              std::span<const std::array<Index, 2>> crossings)
+      : state_(state), piece_(piece), piece_price_(piece_price), crossings_(crossings) {}
+
+  std::vector<Index> find(const std::vector<SeamChain>& chains) {
+    std::vector<std::vector<Index>> others;  // that do not divide it alone
+    for (const std::vector<Index>& run : closed_runs(state_, chains, piece_)) {
+      if (!divides(run)) others.push_back(run);
+    }
+    // As around a place where three cells meet and nothing is open.
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      for (std::size_t j = i + 1; j < others.size(); ++j) {
+        if (!meet(state_.mesh(), others[i], others[j])) continue;
+        std::vector<Index> both = others[i];
+        both.insert(both.end(), others[j].begin(), others[j].end());
+        divides(both);
+      }
+    }
+    return std::move(best_);
+  }
+
+ private:
+  bool divides(const std::vector<Index>& run) {
+    Divided divided(state_, piece_, run);
+    if (!divided.is_divided()) return false;
+    if (divided.least_area() < k_least_part) return true;
+    std::size_t undone = crossings_.empty() ? 1 : 0;
+    for (const auto& pair : crossings_)
+      undone += divided.parts(pair) ? 1 : 0;
+    double cost = piece_price_;
+    for (const Index e : run)
+      cost += state_.mesh().edges()[e].length;
+    if (undone > 0 && cost / static_cast<double>(undone) < least_) {
+      least_ = cost / static_cast<double>(undone);
+      best_ = run;
+    }
+    return true;
+  }
+
+  const SeamState& state_;
+  std::size_t piece_;
+  double piece_price_;
+  std::span<const std::array<Index, 2>> crossings_;
+  double least_ = std::numeric_limits<double>::infinity();
+  std::vector<Index> best_;
+};
 
 }  // namespace
 
@@ -109,7 +149,7 @@ LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& cha
   if (flat && !flat->pattern.overlaps) return {};
   std::vector<std::array<Index, 2>> crossings;
   if (flat) crossings = crossing_triangles(*flat, triangles);
-  return {true, dividing_run(state, chains, piece, piece_price, crossings)};
+  return {true, DividingRun(state, piece, piece_price, crossings).find(chains)};
 }
 
 FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,

@@ -16,7 +16,7 @@ constexpr double k_least_part = 0.002;  // of the area, where nothing else mends
 constexpr double k_step = 0.02;         // of the root of the area, by which runs are opened
 constexpr double k_below = 0.995;       // of the limit that is aimed at
 constexpr int k_rounds = 12;
-constexpr int k_divisions = 5;  // in two of what nothing else mends
+constexpr int k_divisions = 8;  // in two of what nothing else mends
 
 class Finishing {
  public:

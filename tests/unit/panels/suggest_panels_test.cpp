@@ -41,7 +41,9 @@ TEST(SuggestPanels, DividesAClosedSurfaceWithinTheLimit) {
     length += path_length(seam, found.mesh.positions);
   }
   EXPECT_NEAR(length, found.length, 1e-9);
-  EXPECT_NEAR(found.cost, length / std::sqrt(meshes::area(found.mesh)) + 0.25 * found.panels.size(),
+  EXPECT_NEAR(found.cost,
+              length / std::sqrt(meshes::area(found.mesh)) +
+                  0.25 * static_cast<double>(found.panels.size()),
               1e-9);
   const CutMesh cut = cut_open(Patch(found.mesh), paths);
   EXPECT_EQ(split(cut.mesh, "panel").size(), found.panels.size());

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/box.h"
-#include "support/figures.h"
+#include "support/evolved.h"
 #include "support/meshes.h"
 
 namespace planish {

@@ -10,6 +10,7 @@
 #include <planish/mesh/imprint.h>
 #include <planish/unfold/suggest_cuts.h>
 
+#include "cut/loose_paths.h"
 #include "cut/requested_lines.h"
 #include "cut/small_pieces.h"
 #include "cut/symmetric_design.h"
@@ -104,9 +105,11 @@ class Cutter {
     const KeptPaths kept = without_small_pieces(whole, paths, limits);
     for (const SmallPiece& piece : kept.small)
       tell(piece);
-    tell_free_ends(kept.inside);
+    const AttachedPaths attached = attached_paths(whole, kept.paths);
+    tell_loose(attached.loose);
+    tell_free_ends(kept.inside, attached.loose);
     std::vector<CutPath> cuts;
-    for (const LinePath& line : kept.paths)
+    for (const LinePath& line : attached.paths)
       cuts.push_back({line.vertices, asked_.places[line.line]});
     if (cuts.empty() && !asked_.names.empty()) {
       throw Error(ErrorCode::misplaced_cut,
@@ -114,9 +117,10 @@ class Cutter {
                       ": nothing is left to cut, as notes tell; --keep-small keeps small pieces");
     }
     CutMesh opened = cut_open(whole, cuts);
-    return {std::move(opened.mesh),
-            CutOutcome{opened.edges, opened.length, imprinted.farthest_snap,
-                       jag(imprinted.mesh, kept.paths, mean_edge_length(mesh)), kept.small.size()}};
+    return {
+        std::move(opened.mesh),
+        CutOutcome{opened.edges, opened.length, imprinted.farthest_snap,
+                   jag(imprinted.mesh, attached.paths, mean_edge_length(mesh)), kept.small.size()}};
   }
 
  private:
@@ -155,13 +159,26 @@ class Cutter {
     free_ends_ = std::move(joined.free);
   }
 
+  void tell_loose(const std::vector<std::size_t>& lines) const {
+    if (lines.empty()) return;
+    std::vector<std::string> names;
+    for (const std::size_t line : lines)
+      names.push_back(asked_.names[line]);
+    session_.note(list_of_some(names) + (lines.size() == 1 ? " meets" : " meet") +
+                  " neither the border nor another cut; nothing is cut there");
+  }
+
   /// Of drawn lines that part nothing: it may be that one was meant to go on.
-  void tell_free_ends(const std::vector<std::size_t>& inside) const {
+  void tell_free_ends(const std::vector<std::size_t>& inside,
+                      const std::vector<std::size_t>& loose) const {
+    const auto has = [](const std::vector<std::size_t>& lines, std::size_t line) {
+      return std::find(lines.begin(), lines.end(), line) != lines.end();
+    };
     std::vector<LineEnd> told = free_ends_;
     std::erase_if(told, [&](const LineEnd& end) {
       const bool is_drawn = asked_.places[end.line].line.has_value();
-      return !is_drawn || !std::isfinite(end.distance) ||
-             std::find(inside.begin(), inside.end(), end.line) == inside.end();
+      return !is_drawn || !std::isfinite(end.distance) || !has(inside, end.line) ||
+             has(loose, end.line);
     });
     if (told.empty()) return;
     const LineEnd& end = told.front();

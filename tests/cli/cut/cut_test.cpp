@@ -76,6 +76,17 @@ TEST_F(Cut, LeavesSidesOfOtherLengthsAndSaysSo) {
               Not(HasSubstr("two stretches")));
 }
 
+TEST_F(Cut, LeavesOutLinesThatMeetNothing) {
+  write_text("inside.obj", "v 3 3 2.5\nv 3 5 3\nv 4 4 3\nl 1 2\nl 3 1\n");
+  const CliResult inside = planish({"flatten", "hill.obj", "-o", "out", "--unit", "cm", "--json",
+                                    "--cut", "plane x=6.3", "--cut", "inside.obj"});
+  EXPECT_EQ(inside.exit_code, k_exit_done) << inside.err;
+  EXPECT_THAT(inside.err, HasSubstr("meet neither the border nor another cut; nothing is cut"));
+  EXPECT_EQ(inside.json()["patches"].size(), 2U);
+  for (const auto& patch : inside.json()["patches"])
+    EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
+}
+
 TEST_F(Cut, TellsOfDrawnLinesThatEndInside) {
   write_text("two.obj", "v 6 0 2.4\nv 6 4 4\nl 1 2\nv 2 0 0.8\nv 2 3 2.3\nl 3 4\n");
   const auto told = [&](const std::string& lines) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Index k_none = std::numeric_limits<Index>::max();  // beyond a side of the triangle
 constexpr int k_deepest = 200;  // of segments in segments: rounding alone could go on
+constexpr int k_exact = 20;     // from here on only nodes that are on a segment count as on it
 
 }  // namespace
 
@@ -65,7 +66,7 @@ double ConstrainedDelaunay::distance_to(Index a, Index b, Vec2 p) const {
 
 /// As side(), but 0 for nodes beside the segment within reach, or within 1e-9 of a side of the
 /// triangle.
-int ConstrainedDelaunay::side_of_segment(Index a, Index b, Index c) const {
+int ConstrainedDelaunay::side_of_segment(Index a, Index b, Index c, double reach) const {
   constexpr double near = 1e-9 * k_cells;
   const Vec2 along = grid_[b] - grid_[a], to = grid_[c] - grid_[a];
   const double length = norm(along);
@@ -75,8 +76,8 @@ int ConstrainedDelaunay::side_of_segment(Index a, Index b, Index c) const {
   // Not beside the ends: then both parts are shorter than the segment.
   const double whole = norm(places_[b] - places_[a]);
   const double part = dot(places_[c] - places_[a], places_[b] - places_[a]) / whole;
-  const bool is_between = part > 2.0 * reach_ && part < whole - 2.0 * reach_;
-  return is_between && distance_to(a, b, places_[c]) <= reach_ ? 0 : side(a, b, c);
+  const bool is_between = part > 2.0 * reach && part < whole - 2.0 * reach;
+  return is_between && distance_to(a, b, places_[c]) <= reach ? 0 : side(a, b, c);
 }
 
 std::size_t ConstrainedDelaunay::slot_of(Index part, Index corner) const {
@@ -248,35 +249,46 @@ void ConstrainedDelaunay::connect(Index a, Index b) {
   connect(a, b, 0);
 }
 
-// Sloan 1993: edges that the segment crosses are flipped until none does.
-void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
-  if (a == b || depth > k_deepest) return;
-  std::vector<Key> crossed;
-  const auto end_at = [&](Index node) {
-    farthest_ = std::max(farthest_, distance_to(a, b, places_[node]));
-    divided_at_[key(a, b)] = node;
-    connect(a, node, depth + 1);
-    connect(node, b, depth + 1);
+/// The part at a that the segment leaves through the side across from it; a node beside the segment
+/// instead, where one of its corners is.
+ConstrainedDelaunay::Leaving ConstrainedDelaunay::leaving(Index a, Index b, double reach) const {
+  // Beside the segment by one metric or the other: they differ where the triangle is long.
+  const auto is_ahead = [&](Index node) {
+    return dot(grid_[node] - grid_[a], grid_[b] - grid_[a]) > 0.0 ||
+           dot(places_[node] - places_[a], places_[b] - places_[a]) > 0.0;
   };
-  if (edge(a, b)) {
-    segments_[key(a, b)] = true;
-    return;
-  }
-  // The part at a that the segment leaves through the side across from it.
-  std::optional<Side> way;
-  for (Index part = 0; part < parts_.size() && !way; ++part) {
+  for (Index part = 0; part < parts_.size(); ++part) {
     const Triangle& t = parts_[part].corners;
     const auto at = std::find(t.begin(), t.end(), a);
     if (at == t.end()) continue;
     const auto slot = static_cast<std::size_t>(at - t.begin());
     const Index p = t[(slot + 1) % 3], q = t[(slot + 2) % 3];
-    const int of_p = side_of_segment(a, b, p), of_q = side_of_segment(a, b, q);
-    for (const auto& [node, of_node] : {std::pair{p, of_p}, std::pair{q, of_q}}) {
-      if (of_node == 0 && dot(grid_[node] - grid_[a], grid_[b] - grid_[a]) > 0.0)
-        return end_at(node);
-    }
-    if (of_p < 0 && of_q > 0) way = Side{part, (slot + 1) % 3};
+    const int of_p = side_of_segment(a, b, p, reach), of_q = side_of_segment(a, b, q, reach);
+    if (of_p == 0 && is_ahead(p)) return {.node = p};
+    if (of_q == 0 && is_ahead(q)) return {.node = q};
+    if (of_p < 0 && of_q > 0) return {.side = Side{part, (slot + 1) % 3}};
   }
+  return {};
+}
+
+/// Leads a segment to a node beside it, and on from there.
+void ConstrainedDelaunay::connect_over(Index node, Index a, Index b, int depth) {
+  farthest_ = std::max(farthest_, distance_to(a, b, places_[node]));
+  divided_at_[key(a, b)] = node;
+  connect(a, node, depth + 1);
+  connect(node, b, depth + 1);
+}
+
+void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
+  if (a == b || depth > k_deepest) return;
+  if (edge(a, b)) {
+    segments_[key(a, b)] = true;
+    return;
+  }
+  const double reach = depth < k_exact ? reach_ : 0.0;
+  auto [way, node] = leaving(a, b, reach);
+  if (node) return connect_over(*node, a, b, depth);
+  std::vector<Key> crossed;
   while (way) {
     const Part& part = parts_[way->part];
     const Index p = part.corners[way->slot], q = part.corners[(way->slot + 1) % 3];
@@ -287,11 +299,16 @@ void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
     const std::size_t slot = slot_of(next, q);  // the side from q to p begins here
     const Index tip = parts_[next].corners[(slot + 2) % 3];
     if (tip == b) break;
-    const int of_tip = side_of_segment(a, b, tip);
-    if (of_tip == 0) return end_at(tip);
+    const int of_tip = side_of_segment(a, b, tip, reach);
+    if (of_tip == 0) return connect_over(tip, a, b, depth);
     // p is to the right, q to the left: on through the side that has its ends on both sides.
     way = Side{next, of_tip < 0 ? (slot + 2) % 3 : (slot + 1) % 3};
   }
+  flip_across(a, b, std::move(crossed));
+}
+
+/// Sloan 1993: edges that the segment crosses are flipped until none does.
+void ConstrainedDelaunay::flip_across(Index a, Index b, std::vector<Key> crossed) {
   std::vector<Key> made;
   std::size_t left = 1000 + 100 * crossed.size() * crossed.size();
   for (std::size_t k = 0; k < crossed.size() && left > 0; ++k, --left) {
@@ -330,15 +347,16 @@ void ConstrainedDelaunay::cross(Key segment, Index a, Index b, int depth) {
   const Vec2 grid = crossing(segment, a, b);
   const bool is_inside = grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells;
   const Vec2 place = (grid.x / k_cells) * right_ + (grid.y / k_cells) * up_;
+  const double reach = depth < k_exact ? reach_ : 0.0;
   std::vector<Index> known = {a, b, c, d};
-  if (is_inside && reach_ > 0.0) {
+  if (is_inside && reach > 0.0) {
     for (const Index corner : parts_[locate(grid)].corners)
       known.push_back(corner);
   }
   const auto apart = [&](Index node) { return norm(places_[node] - place); };
   const Index nearest = *std::min_element(known.begin(), known.end(),
                                           [&](Index p, Index q) { return apart(p) < apart(q); });
-  const bool is_known = !is_inside || apart(nearest) <= reach_;
+  const bool is_known = !is_inside || apart(nearest) <= reach;
   if (is_known) farthest_ = std::max(farthest_, apart(nearest));
   const Index node = is_known ? nearest : add(grid);
   if (node != c && node != d && segments_.erase(segment) != 0) {

@@ -77,7 +77,7 @@ class ConstrainedDelaunay {
   Index locate(Vec2 grid) const;
   int side(Index a, Index b, Index c) const;
   double distance_to(Index a, Index b, Vec2 p) const;
-  int side_of_segment(Index a, Index b, Index c) const;
+  int side_of_segment(Index a, Index b, Index c, double reach) const;
   std::optional<Side> edge(Index a, Index b) const;
   std::size_t slot_of(Index part, Index corner) const;
   void replace_across(Index part, Index before, Index now);
@@ -86,7 +86,15 @@ class ConstrainedDelaunay {
   bool is_convex(Side side) const;
   void flip(Side side);
   void settle(std::vector<Key> open);
+  /// How a segment leaves the parts around its beginning.
+  struct Leaving {
+    std::optional<Side> side = {};
+    std::optional<Index> node = {};
+  };
+  Leaving leaving(Index a, Index b, double reach) const;
   void connect(Index a, Index b, int depth);
+  void connect_over(Index node, Index a, Index b, int depth);
+  void flip_across(Index a, Index b, std::vector<Key> crossed);
   void cross(Key segment, Index a, Index b, int depth);
   Vec2 crossing(Key segment, Index a, Index b) const;
 

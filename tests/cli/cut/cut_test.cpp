@@ -81,7 +81,7 @@ TEST_F(Cut, LeavesOutLinesThatMeetNothing) {
   const CliResult inside = planish({"flatten", "hill.obj", "-o", "out", "--unit", "cm", "--json",
                                     "--cut", "plane x=6.3", "--cut", "inside.obj"});
   EXPECT_EQ(inside.exit_code, k_exit_done) << inside.err;
-  EXPECT_THAT(inside.err, HasSubstr("meet neither the border nor another cut; nothing is cut"));
+  EXPECT_THAT(inside.err, HasSubstr("inside.obj:4 meets neither the border nor another cut"));
   EXPECT_EQ(inside.json()["patches"].size(), 2U);
   for (const auto& patch : inside.json()["patches"])
     EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);

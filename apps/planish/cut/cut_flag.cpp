@@ -1,7 +1,6 @@
 #include "cut/cut_flag.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -149,7 +148,10 @@ class Cutter {
 
   /// Leads ends of the lines on to what they nearly meet, and tells of those that were farther.
   void join_ends(const Patch& patch, double farther) {
-    JoinedLines joined = join_lines(patch, std::move(asked_.lines), join_tolerance(patch.mesh()));
+    constexpr double k_nearly =
+        3.0;  // tolerances: ends that are farther away, as darts', are meant
+    const double tolerance = join_tolerance(patch.mesh());
+    JoinedLines joined = join_lines(patch, std::move(asked_.lines), tolerance);
     for (const LineEnd& end : joined.joined) {
       if (end.distance < farther) continue;
       session_.note((end.is_last ? "the end of " : "the beginning of ") + name(end.line) + " is " +
@@ -157,6 +159,13 @@ class Cutter {
     }
     asked_.lines = std::move(joined.lines);
     free_ends_ = std::move(joined.free);
+    // Who names a vertex, as the tip of a dart, means it.
+    std::erase_if(free_ends_, [&](const LineEnd& end) {
+      const SurfaceLine& line = asked_.lines[end.line];
+      const SurfacePoint& at = end.is_last ? line.back() : line.front();
+      const bool is_vertex = *std::max_element(at.shares.begin(), at.shares.end()) == 1.0;
+      return is_vertex || !(end.distance <= k_nearly * tolerance);
+    });
   }
 
   void tell_loose(const std::vector<std::size_t>& lines) const {
@@ -177,8 +186,7 @@ class Cutter {
     std::vector<LineEnd> told = free_ends_;
     std::erase_if(told, [&](const LineEnd& end) {
       const bool is_drawn = asked_.places[end.line].line.has_value();
-      return !is_drawn || !std::isfinite(end.distance) || !has(inside, end.line) ||
-             has(loose, end.line);
+      return !is_drawn || !has(inside, end.line) || has(loose, end.line);
     });
     if (told.empty()) return;
     const LineEnd& end = told.front();

@@ -88,7 +88,7 @@ TEST_F(Cut, LeavesOutLinesThatMeetNothing) {
 }
 
 TEST_F(Cut, TellsOfDrawnLinesThatEndInside) {
-  write_text("two.obj", "v 6 0 2.4\nv 6 4 4\nl 1 2\nv 2 0 0.8\nv 2 3 2.3\nl 3 4\n");
+  write_text("two.obj", "v 6 0 2.4\nv 6.3 4.2 4\nl 1 2\nv 2 0 0.8\nv 2.3 3.2 2.4\nl 3 4\n");
   const auto told = [&](const std::string& lines) {
     return planish({"unfold", "hill.obj", "-o", "a.svg", "--unit", "cm", "--cut", lines}).err;
   };

@@ -132,8 +132,8 @@ def flatten_product(
             annotation, label, legend, hole or cut
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
-        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
-            or points over the mesh
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
+            points over the mesh, or an .obj or .ply of the model with these places painted
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines

@@ -76,8 +76,8 @@ def unfold(
             "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
-        avoid: places that the cuts of --cut open go round where they can: vertices one a line, or an .obj with lines
-            or points over the mesh
+        avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
+            points over the mesh, or an .obj or .ply of the model with these places painted
         keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
             edges; else each is joined to a neighbour
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)

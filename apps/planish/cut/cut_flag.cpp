@@ -171,6 +171,7 @@ class Cutter {
   void tell_loose(const std::vector<std::size_t>& lines) const {
     if (lines.empty()) return;
     std::vector<std::string> names;
+    names.reserve(lines.size());
     for (const std::size_t line : lines)
       names.push_back(asked_.names[line]);
     session_.note(list_of_some(names) + (lines.size() == 1 ? " meets" : " meet") +

@@ -39,6 +39,7 @@ class Lloyd {
   std::vector<Index> run(std::size_t count) {
     std::vector<Index> seeds = spread_seeds(count);
     std::vector<Proxy> proxies;
+    proxies.reserve(seeds.size());
     for (const Index seed : seeds)
       proxies.push_back(own_[seed]);
     std::vector<Index> cells = flood(seeds, proxies);

@@ -95,6 +95,7 @@ FOR_THE_PROGRAM = {
     "flatten/verdict.h",
     "io/read_drawing.h",
     "io/svg/svg_drawing.h",
+    "mesh/disjoint_sets.h",
     "mesh/match/twins.h",
     "mesh/mean_edge.h",
     "mesh/split.h",

@@ -82,8 +82,9 @@ TEST_F(Cut, LeavesOutLinesThatMeetNothing) {
                                     "--cut", "plane x=6.3", "--cut", "inside.obj"});
   EXPECT_EQ(inside.exit_code, k_exit_done) << inside.err;
   EXPECT_THAT(inside.err, HasSubstr("inside.obj:4 meets neither the border nor another cut"));
-  EXPECT_EQ(inside.json()["patches"].size(), 2U);
-  for (const auto& patch : inside.json()["patches"])
+  const auto patches = inside.json()["patches"];
+  EXPECT_EQ(patches.size(), 2U);
+  for (const auto& patch : patches)
     EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include <planish/io/read_mesh.h>
+#include <planish/mesh/surface_line.h>
 #include <planish/panels/suggest_panels.h>
 
 #include "mesh/mean_edge.h"
@@ -25,20 +26,18 @@ double seconds() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-double jag_of(const PanelSuggestion& found, double mean_edge) {
+/// The length of all seams over that of their chords.
+double jag_of_seams(const PanelSuggestion& found, double mean_edge) {
   double length = 0.0, chords = 0.0;
   for (const std::vector<Index>& seam : found.seams) {
+    std::vector<Vec3> line;
     double along = 0.0;
-    Vec3 from = found.mesh.positions[seam.front()];
-    for (std::size_t i = 1; i < seam.size(); ++i) {
-      const Vec3 here = found.mesh.positions[seam[i]];
-      along += norm(here - found.mesh.positions[seam[i - 1]]);
-      if (along < 4.0 * mean_edge && i + 1 < seam.size()) continue;
-      length += along;
-      chords += norm(here - from);
-      along = 0.0;
-      from = here;
+    for (const Index v : seam) {
+      if (!line.empty()) along += norm(found.mesh.positions[v] - line.back());
+      line.push_back(found.mesh.positions[v]);
     }
+    length += along;
+    chords += along / jag_of(line, mean_edge);
   }
   return chords > 0.0 ? length / chords : 1.0;
 }
@@ -75,8 +74,8 @@ void print_row(const std::string& name, const PanelSuggestion& found, double mea
       "%-6s %-4s %3zu pieces %3zu tips seam %6.3f jag %.3f rms %.2f %% largest %.0f %% "
       "lap %d  J %.3f  %.1f s\n",
       name.c_str(), found.met ? "met" : "NOT", found.panels.size(), found.tips,
-      found.length / std::sqrt(meshes::area(found.mesh)), jag_of(found, mean_edge), 100.0 * rms,
-      100.0 * largest, laps, found.cost, time);
+      found.length / std::sqrt(meshes::area(found.mesh)), jag_of_seams(found, mean_edge),
+      100.0 * rms, 100.0 * largest, laps, found.cost, time);
   std::fflush(stdout);
 }
 

@@ -10,6 +10,7 @@
 #include <planish/mesh/shapes.h>
 
 #include "core/math.h"
+#include "core/split_mix.h"
 
 namespace planish {
 
@@ -19,14 +20,10 @@ constexpr double k_pi = std::numbers::pi;
 
 /// A number in [-0.5, 0.5) that depends on nothing but its arguments (splitmix64).
 double noise(std::uint64_t salt, std::size_t i, std::size_t j) {
-  std::uint64_t z = salt * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + j;
-  for (int round = 0; round < 2; ++round) {
-    z += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    z ^= z >> 31;
-  }
-  return static_cast<double>(z >> 11) * 0x1p-53 - 0.5;
+  std::uint64_t z = salt * SplitMix::k_step + i * 0xbf58476d1ce4e5b9ULL + j;
+  for (int round = 0; round < 2; ++round)
+    z = SplitMix::mixed(z + SplitMix::k_step);
+  return SplitMix::as_share(z) - 0.5;
 }
 
 /// A grid of columns x rows vertices, column by column.

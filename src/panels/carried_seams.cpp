@@ -43,9 +43,7 @@ struct Run {
 
 /// Open ones go on where closed ones end.
 std::vector<Run> straight_runs(const SeamNet& net, const OpenEdges& open) {
-  OpenEdges closed = net.seams;
-  for (std::size_t e = 0; e < open.size(); ++e)
-    closed[e] = closed[e] != 0 && open[e] == 0 ? 1 : 0;
+  const OpenEdges closed = net.closed(open);
   const std::vector<Vec3>& origin = net.mesh.patch().positions();
   const double most_move = k_most_move * net.mesh.mean_edge() / net.mesh.scale();
   std::vector<Vec3> places = origin;

@@ -39,9 +39,7 @@ CarriedSeams with_pieces_divided(const SeamNet& net, const OpenEdges& open,
   const Patch& patch = net.mesh.patch();
   std::vector<SurfaceLine> lines;
   std::vector<unsigned char> is_open;
-  OpenEdges closed = net.seams;
-  for (std::size_t e = 0; e < open.size(); ++e)
-    closed[e] = closed[e] != 0 && open[e] == 0 ? 1 : 0;
+  const OpenEdges closed = net.closed(open);
   for (const bool opened : {true, false}) {
     for (const SeamChain& chain : seam_chains(net.mesh, opened ? open : closed)) {
       lines.push_back(line_along_edges(patch, chain.vertices));

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/split_mix.h"
 #include "panels/cells/divided_cells.h"
 #include "panels/cells/merge_cells.h"
 #include "panels/cells/normal_cells.h"
@@ -18,18 +19,11 @@ constexpr double k_least_cell = 0.002;  // of the area
 constexpr double k_of_limit = 0.5;      // for the strain of cells, before they are merged
 constexpr double k_least_spread = 0.5;  // mean edges
 
-/// Of 0 to 1 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
-double next_random(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-}
-
 std::vector<double> favours(std::size_t chains, std::uint64_t seed) {
   std::vector<double> factors(seed == 0 ? 0 : chains);
+  SplitMix dice(seed);
   for (double& factor : factors)
-    factor = 0.6 + 0.8 * next_random(seed);
+    factor = 0.6 + 0.8 * dice.share();
   return factors;
 }
 
@@ -49,6 +43,13 @@ CellMesh lined_cells(const PanelMesh& mesh, std::span<const Index> cells, double
 }
 
 }  // namespace
+
+OpenEdges SeamNet::closed(const OpenEdges& open) const {
+  OpenEdges closed = seams;
+  for (std::size_t e = 0; e < open.size(); ++e)
+    closed[e] = closed[e] != 0 && open[e] == 0 ? 1 : 0;
+  return closed;
+}
 
 DivisionWay way_of_move(std::size_t move) {
   if (move == 0) return {};

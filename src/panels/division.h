@@ -18,6 +18,9 @@ struct SeamNet {
   PanelMesh mesh;
   OpenEdges seams;  ///< all of them
   std::vector<SeamChain> chains;
+
+  /// The seams that are not open.
+  OpenEdges closed(const OpenEdges& open) const;
 };
 
 /// One way to divide a product: what a move of the search changes.

@@ -9,6 +9,8 @@
 
 #include <planish/core/vec.h>
 
+#include "core/split_mix.h"
+
 namespace planish {
 
 /// Gives positions that are exactly equal one number, in the order of first use. -0.0 equals 0.0,
@@ -45,15 +47,8 @@ class Welder {
   std::uint64_t hash(Vec3 p) const {
     std::uint64_t h = seed_;
     for (const double c : {p.x, p.y, p.z})
-      h = mixed(h ^ (c == 0.0 ? 0 : std::bit_cast<std::uint64_t>(c)));
+      h = SplitMix::mixed(h ^ (c == 0.0 ? 0 : std::bit_cast<std::uint64_t>(c)));
     return h;
-  }
-
-  /// The finaliser of splitmix64: every bit depends on every bit.
-  static std::uint64_t mixed(std::uint64_t h) {
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
-    return h ^ (h >> 31);
   }
 
   void grow() {

@@ -15,6 +15,7 @@
 
 #include "core/job.h"
 #include "core/math.h"
+#include "core/split_mix.h"
 #include "pattern/nest/nest_shapes.h"
 #include "pattern/nest/sheet_columns.h"
 
@@ -196,20 +197,6 @@ NestOrder order_by(std::span<const NestPiece> pieces, const Measure& measure) {
     order.insert(order.end(), static_cast<std::size_t>(pieces[p].quantity), p);
   return order;
 }
-
-/// Numbers that look random and are the same everywhere: the mixer of Steele, Lea and Flood 2014.
-class SplitMix {
- public:
-  std::size_t below(std::size_t count) {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return static_cast<std::size_t>((z ^ (z >> 31U)) % count);
-  }
-
- private:
-  std::uint64_t state_ = 0;
-};
 
 /// The order of a try: first by several measures, then the best so far with some exchanged.
 NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const NestEngine& shop,

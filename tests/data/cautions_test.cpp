@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/odd_files.h"
+#include "support/test_files.h"
 #include "support/test_patches.h"
 
 namespace planish {

@@ -1,8 +1,6 @@
 // Meshes as makers have them, of the folder "odd" beside the patches: the right size, alike in
 // unfold and flatten, and the way on where there is none without a flag.
 
-#include "support/odd_files.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -14,22 +12,25 @@
 
 #include "cli/cli_run.h"
 #include "io/read_drawing.h"
+#include "support/test_files.h"
 
 namespace planish::cli {
 namespace {
 
 using testing::HasSubstr;
 
+CliResult run_on(const std::string& path, Names args, const Names& flags) {
+  args.insert(args.begin() + 1, path);
+  args.insert(args.end(), flags.begin(), flags.end());
+  return planish(args);
+}
+
 class OddFiles : public WithOddFiles<CliFolder> {
  protected:
   static std::string odd_file(const std::string& name) { return file("odd/" + name).string(); }
-
-  static CliResult run_on(const std::string& path, Names args, const Names& flags) {
-    args.insert(args.begin() + 1, path);
-    args.insert(args.end(), flags.begin(), flags.end());
-    return planish(args);
-  }
 };
+
+class Products : public WithProducts<CliFolder> {};
 
 struct Sheet {
   std::string file;
@@ -119,10 +120,8 @@ TEST_F(OddFiles, KeepTheirHoles) {
 }
 
 // Its least stretch has windows that cross themselves.
-TEST_F(OddFiles, AreLaidFlatInOnePieceWithAllWindows) {
-  const std::string car = file("products/car.obj").string();
-  if (!std::filesystem::exists(car)) GTEST_SKIP() << "there is no folder of products";
-  const CliResult unfold = run_on(car, {"unfold", "-o", "car.svg", "--json"}, {});
+TEST_F(Products, AreLaidFlatInOnePieceWithAllWindows) {
+  const CliResult unfold = run_on(file("car").string(), {"unfold", "-o", "car.svg", "--json"}, {});
   ASSERT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
   EXPECT_EQ(unfold.json()["holes"]["count"], 10);
   EXPECT_FALSE(unfold.json()["overlaps"].get<bool>());

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/odd_files.h"
+#include "support/test_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {

@@ -1,29 +1,15 @@
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
-#include <planish/io/read_mesh.h>
 #include <planish/mesh/symmetry.h>
 
 #include <gtest/gtest.h>
 
+#include "support/test_files.h"
+
 namespace planish {
 namespace {
 
-/// The folder of whole products; empty where there is none.
-std::filesystem::path products() {
-  const char* folder = std::getenv("PLANISH_TEST_DATA");
-  if (folder == nullptr) return {};
-  const std::filesystem::path products = std::filesystem::path(folder) / "products";
-  return std::filesystem::exists(products) ? products : std::filesystem::path();
-}
+class SymmetryOfProducts : public WithProducts<> {};
 
-Patch product(const std::string& name) {
-  return Patch(read_mesh(products() / (name + ".obj")).mesh);
-}
-
-TEST(SymmetryOfProducts, IsFoundWhereTheirMakersSayItIs) {
-  if (products().empty()) GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with products";
+TEST_F(SymmetryOfProducts, IsFoundWhereTheirMakersSayItIs) {
   for (const char* name : {"body", "car"}) {
     const Symmetry symmetry = find_symmetry(product(name));
     EXPECT_EQ(symmetry.plane.normal, (Vec3{1.0, 0.0, 0.0})) << name;

@@ -44,6 +44,16 @@ CliResult flatten_with(const std::string& input, const Names& more) {
   return planish(args);
 }
 
+/// Every piece of a product has a pattern, without flips and overlap.
+void expect_laid_flat(const CliResult& result, std::size_t pieces) {
+  const auto patches = result.json()["patches"];
+  ASSERT_EQ(patches.size(), pieces);
+  for (const auto& patch : patches) {
+    EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
+    EXPECT_FALSE(patch["unfold"]["overlaps"]);
+  }
+}
+
 TEST_F(Cut, LetsATubeBeLaidFlat) {
   EXPECT_EQ(planish({"unfold", "tube.obj", "-o", "a.svg"}).exit_code, k_exit_failed);
   const CliResult result =
@@ -82,10 +92,7 @@ TEST_F(Cut, LeavesOutLinesThatMeetNothing) {
                                     "--cut", "plane x=6.3", "--cut", "inside.obj"});
   EXPECT_EQ(inside.exit_code, k_exit_done) << inside.err;
   EXPECT_THAT(inside.err, HasSubstr("inside.obj:4 meets neither the border nor another cut"));
-  const auto patches = inside.json()["patches"];
-  EXPECT_EQ(patches.size(), 2U);
-  for (const auto& patch : patches)
-    EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
+  expect_laid_flat(inside, 2);
 }
 
 TEST_F(Cut, TellsOfDrawnLinesThatEndInside) {
@@ -253,12 +260,7 @@ TEST_F(Cut, OpensEveryPartOfAnyTopology) {
                                  "cm", "--cut", "open", "--json"});
   EXPECT_EQ(two.exit_code, k_exit_done) << two.err;
   EXPECT_THAT(two.err, HasSubstr("--cut open: cut along 2 lines, "));
-  const auto patches = two.json()["patches"];
-  ASSERT_EQ(patches.size(), 2U);
-  for (const auto& patch : patches) {
-    EXPECT_EQ(patch["unfold"]["flipped_triangles"], 0);
-    EXPECT_FALSE(patch["unfold"]["overlaps"]);
-  }
+  expect_laid_flat(two, 2);
   write_mesh("ring.obj", ring);
   const CliResult along = planish(
       {"unfold", "ring.obj", "-o", "a.obj", "--cut", "open", "--cut-along", "edges", "--json"});

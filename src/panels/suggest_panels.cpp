@@ -35,7 +35,8 @@ void require(const Patch& patch, const PanelOptions& options) {
   require(patch.inspection(), Purpose::measure);
   const Topology& topology = patch.inspection().topology;
   if (topology.components > 1)
-    throw Error(ErrorCode::several_components, "panels are looked for on one part at a time");
+    throw Error(ErrorCode::several_components,
+                "the product has several parts; divide them one by one");
   if (topology.genus > 0)
     throw Error(ErrorCode::handles, "a product with handles cannot be divided into panels yet");
   if (!(options.max_rms > 0.0 && options.max_rms <= k_largest_strain_limit))

@@ -238,7 +238,7 @@ CommandResult flatten_one(FlattenRequest request, ProductInput read,
 }
 
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+  // Errors of the request come before any work.
   FlattenRequest request = flatten_request_from(arguments, session);
   ProductInput read =
       read_product(session, arguments.operands, arguments, arguments.has("--product"));

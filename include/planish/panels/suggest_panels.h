@@ -11,7 +11,7 @@
 
 namespace planish {
 
-/// What a division into panels saves first.
+/// What a division into panels keeps low first.
 enum class PanelPreference {
   few,       ///< pieces
   shortest,  ///< the length of seams
@@ -41,7 +41,7 @@ struct PanelSuggestion {
   bool met = false;
 };
 
-/// What panels have to keep, and how long they are looked for.
+/// The limit for panels, and the effort of the search.
 struct PanelOptions {
   double max_rms = 0.02;                          ///< of the rms strain of each, 0 to 1
   PanelPreference prefer = PanelPreference::few;  ///< what is saved first

@@ -104,8 +104,8 @@ class Joiner {
     return line.line ? line : border;
   }
 
-  /// Where an end runs beside what it nearly meets: the place on that some way ahead, so that it
-  /// comes to it at a small angle, without a step.
+  /// Where a line ends nearly parallel to its neighbour, it joins that one farther ahead: the
+  /// shortest connection would be a step across.
   Nearest ahead(std::size_t l, bool is_last, const Nearest& nearest) const {
     constexpr double run = 6.0, towards = 0.5, beside = 0.7;
     const std::vector<Vec3>& places = places_[l];

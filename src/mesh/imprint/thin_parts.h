@@ -15,11 +15,11 @@ struct WidenedBy {
   double reach = 0.0;                             ///< no node is to be nearer to it than this
 };
 
-/// Nodes for the parts of a triangle with an angle below `least` that more nodes can make larger:
-/// one for each such part. Sides of the triangle and segments are fixed. Between two of them an
-/// angle is what it is. Where the triangle has a smaller angle itself, that one counts.
+/// Nodes that refine the parts of a triangle with an angle below `least`, one for each part. Sides
+/// of the triangle and segments are fixed, so no node can make the angle between two of them
+/// larger. In a triangle that has a smaller angle itself, that angle is the bound.
 /// @param least degrees
-/// @param finest parts with a shorter side than this stay
+/// @param finest parts with a shorter side are not refined
 std::vector<WidenedBy> widening_nodes(const ConstrainedDelaunay& inside, double least,
                                       double finest);
 

@@ -12,7 +12,7 @@ namespace planish {
 /// rounds in the metric L2,1 (Cohen-Steiner, Alliez and Desbrun, Variational shape approximation,
 /// 2004). Seeds are spread by steps from triangle to triangle. Always the same.
 /// @param triangles of the piece, increasing, in one part
-/// @param count at most so many cells
+/// @param count the largest number of cells
 /// @param place_weight what squares of distances from the middle of a cell count for, of the area
 /// of
 ///   the piece, beside squares of differences of normals; more than 0 makes cells compact

@@ -9,7 +9,7 @@
 namespace planish {
 
 /// A product over fewer of its vertices, closed or with borders (coarsen()).
-/// @param vertices about so many are left
+/// @param vertices that are to remain, approximately
 /// @throws Cancelled
 Patch thinned_product(const Patch& patch, std::size_t vertices, const ThreadPool& pool);
 

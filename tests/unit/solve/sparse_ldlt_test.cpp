@@ -320,7 +320,7 @@ TYPED_TEST(FactorFront, LeavesTheFactorAndWhatItTakesFromTheRest) {
   }
 }
 
-TYPED_TEST(FactorFront, GivesTheSameBitsOnEveryProcessorAndNumberOfThreads) {
+TYPED_TEST(FactorFront, GivesTheSameBitsOnEveryProcessor) {
   ThreadPool alone(1), three(3);
   for (const auto [size, columns] : k_fronts) {
     const MatrixOf<TypeParam> a = quasi_definite(size).template cast<TypeParam>();

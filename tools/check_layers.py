@@ -29,7 +29,7 @@ ALLOWED = {
     "draw": {"core", "pattern"},
     "evolve": {"core", "geometry", "solve", "optimize", "energy", "mesh", "measure"},
     "unfold": {"core", "geometry", "solve", "optimize", "energy", "mesh", "measure"},
-    "panels": {"core", "geometry", "solve", "mesh", "measure", "unfold"},
+    "panels": {"core", "geometry", "solve", "energy", "mesh", "measure", "unfold"},
     "pattern": {"platform", "core", "geometry", "mesh", "io"},
     "flatten": {"core", "mesh", "measure", "evolve", "unfold"},
     "sheet": {"core", "geometry", "mesh", "draw", "unfold", "pattern", "flatten"},

@@ -102,7 +102,7 @@ int main(int count, char** words) {
   }
   PanelOptions options;
   options.moves = std::strtoul(words[1], nullptr, 10);
-  options.max_rms = std::strtod(words[2], nullptr);
+  options.limits.rms = std::strtod(words[2], nullptr);
   const std::string folder = words[3];
   for (int i = 4; i < count; ++i)
     run(words[i], options, folder == "-" ? "" : folder);

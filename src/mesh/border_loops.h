@@ -38,18 +38,15 @@ struct BorderKinds {
   std::vector<std::size_t> tube_ends;  ///< the others that are no holes, increasing
 };
 
-/// @pre there is a loop; the mesh is of one part
-inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectivity& connectivity,
-                                double scale) {
-  const auto& loops = connectivity.border_loops();
-  if (loops.size() == 1) return {};
+/// Of the loops of one part, at least one.
+/// @param turnings,sizes of each loop; turnings as border_turning() gives them
+inline BorderKinds border_kinds(std::span<const double> turnings,
+                                std::span<const CurveSize> sizes) {
   BorderKinds kinds;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const double turning = border_turning(positions, connectivity, scale, loops[k]);
-    const bool closes = std::abs(turning + 2.0 * std::numbers::pi) <= std::numbers::pi;
+  for (std::size_t k = 0; k < turnings.size(); ++k) {
+    const bool closes = std::abs(turnings[k] + 2.0 * std::numbers::pi) <= std::numbers::pi;
     if (!closes) kinds.tube_ends.push_back(k);
   }
-  const std::vector<CurveSize> sizes = sizes_of_loops(positions, loops, scale);
   if (kinds.tube_ends.empty()) return {outer_loop(sizes), {}};
   std::vector<CurveSize> of_ends;
   for (const std::size_t k : kinds.tube_ends)
@@ -58,6 +55,17 @@ inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectiv
   kinds.outline = *largest;
   kinds.tube_ends.erase(largest);
   return kinds;
+}
+
+/// @pre there is a loop; the mesh is of one part
+inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectivity& connectivity,
+                                double scale) {
+  const auto& loops = connectivity.border_loops();
+  if (loops.size() == 1) return {};
+  std::vector<double> turnings;
+  for (const std::vector<Index>& loop : loops)
+    turnings.push_back(border_turning(positions, connectivity, scale, loop));
+  return border_kinds(turnings, sizes_of_loops(positions, loops, scale));
 }
 
 /// The numbers of the loops around holes, of a patch that can be laid flat as it is; none where it

@@ -1,5 +1,6 @@
 #include "panels/carried_seams.h"
 
+#include <limits>
 #include <utility>
 
 #include <planish/mesh/carry.h>
@@ -41,13 +42,41 @@ struct Run {
   bool is_open = false;
 };
 
+/// The vertex of the border that is nearest to a place. @pre there is a border
+Vec3 nearest_on_border(const Patch& product, Vec3 place) {
+  Vec3 nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Index>& loop : product.border_loops()) {
+    for (const Index v : loop) {
+      const double distance = norm(product.positions()[v] - place);
+      if (distance < least) least = distance, nearest = product.positions()[v];
+    }
+  }
+  return nearest;
+}
+
+/// Puts ends of lines that are on the border of the thinned product onto that of the product.
+void lead_to_border(const Patch& product, const SeamChain& chain, const Patch& thinned,
+                    DrawnLine& line) {
+  const auto lead = [&](Index v, Vec3& end) {
+    if (thinned.is_border(v)) end = nearest_on_border(product, end);
+  };
+  lead(chain.vertices.front(), line.points.front());
+  lead(chain.vertices.back(), line.points.back());
+}
+
 /// Open ones go on where closed ones end.
-std::vector<Run> straight_runs(const SeamNet& net, const OpenEdges& open) {
+std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const OpenEdges& open) {
   const OpenEdges closed = net.closed(open);
   const std::vector<Vec3>& origin = net.mesh.patch().positions();
   const double most_move = k_most_move * net.mesh.mean_edge() / net.mesh.scale();
   std::vector<Vec3> places = origin;
   std::vector<unsigned char> held(places.size(), 0);
+  for (std::size_t e = 0; e < open.size(); ++e) {
+    if (net.seams[e] == 0 || !is_crease(net.mesh, net.mesh.edges()[e])) continue;
+    for (const Index v : net.mesh.edges()[e].ends)
+      held[v] = 1;
+  }
   std::vector<Run> runs;
   for (const bool is_open : {true, false}) {
     for (const SeamChain& chain : seam_chains(net.mesh, is_open ? open : closed)) {
@@ -55,6 +84,7 @@ std::vector<Run> straight_runs(const SeamNet& net, const OpenEdges& open) {
       runs.push_back({{}, is_open});
       for (const Index v : chain.vertices)
         runs.back().line.points.push_back(places[v]);
+      lead_to_border(product, chain, net.mesh.patch(), runs.back().line);
     }
     // Closed lines leave open ones where they are.
     for (std::size_t e = 0; e < open.size(); ++e) {
@@ -98,7 +128,7 @@ CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenE
                            double least_area) {
   std::vector<SurfaceLine> lines;
   std::vector<unsigned char> is_open;
-  for (const Run& run : straight_runs(net, open)) {
+  for (const Run& run : straight_runs(product, net, open)) {
     for (SurfaceLine& line : trace_lines(product, {{run.line}, {}}).lines) {
       lines.push_back(std::move(line));
       is_open.push_back(run.is_open ? 1 : 0);

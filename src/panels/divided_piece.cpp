@@ -19,7 +19,7 @@ std::vector<SurfaceLine> unlapping_lines(const PanelMesh& mesh, const OpenEdges&
                                          const std::vector<Index>& piece) {
   const PieceCorners corners(mesh, open, piece);
   const Context alone{.threads = 1};
-  const auto flat = laid_flat(mesh, corners, 0.0, alone);
+  const auto flat = laid_flat(mesh, corners, {}, alone);
   if (!flat || !flat->pattern.overlaps) return {};
   const auto path = dividing_path(flat->patch, flat->pattern.positions, {});
   if (!path) return {};

@@ -18,6 +18,8 @@ namespace {
 constexpr double k_least_cell = 0.002;  // of the area
 constexpr double k_of_limit = 0.5;      // for the strain of cells, before they are merged
 constexpr double k_least_spread = 0.5;  // mean edges
+constexpr double k_faces = 0.8;         // share of borders that is on creases, of faces
+constexpr double k_on_creases = 0.1;    // so that faces stay whole
 
 std::vector<double> favours(std::size_t chains, std::uint64_t seed) {
   std::vector<double> factors(seed == 0 ? 0 : chains);
@@ -25,6 +27,31 @@ std::vector<double> favours(std::size_t chains, std::uint64_t seed) {
   for (double& factor : factors)
     factor = 0.6 + 0.8 * dice.share();
   return factors;
+}
+
+/// The parts that creases leave of cells; the cells where there are too many, as on a noisy scan.
+std::vector<Index> divided_at_creases(const PanelMesh& mesh, const std::vector<Index>& cells) {
+  constexpr Index k_more = 3;  // times the number of cells
+  OpenEdges open = open_between(mesh, cells);
+  for (std::size_t e = 0; e < open.size(); ++e) {
+    if (is_crease(mesh, mesh.edges()[e])) open[e] = 1;
+  }
+  std::vector<Index> parts = parts_of(mesh, open);
+  const auto count = [](const std::vector<Index>& numbers) {
+    return 1 + *std::max_element(numbers.begin(), numbers.end());
+  };
+  return count(parts) <= k_more * count(cells) ? parts : cells;
+}
+
+/// Of the length of the borders between cells the part that is on creases.
+double share_on_creases(const PanelMesh& mesh, std::span<const Index> cells) {
+  double on_creases = 0.0, all = 0.0;
+  for (const PanelEdge& edge : mesh.edges()) {
+    if (edge.is_border() || cells[edge.triangles[0]] == cells[edge.triangles[1]]) continue;
+    all += edge.length;
+    if (is_crease(mesh, edge)) on_creases += edge.length;
+  }
+  return all > 0.0 ? on_creases / all : 0.0;
 }
 
 /// Fair lines, less so where they would bring a cell over the limit.
@@ -65,9 +92,14 @@ Division divided(const PanelMesh& mesh, double limit, const SeamPrices& prices,
   std::iota(all.begin(), all.end(), Index{0});
   const std::vector<Index> small =
       divided_cells(mesh, normal_cells(mesh, all, way.cells), k_of_limit * limit, pool);
-  const std::vector<Index> cells =
-      merge_cells(mesh, small, {.limit = way.merge_limit * limit}, pool);
-  CellMesh lined = lined_cells(mesh, cells, limit, way.spread, pool);
+  const double merge_limit = way.merge_limit * limit;
+  std::vector<Index> faces = merge_cells(mesh, divided_at_creases(mesh, small),
+                                         {.limit = merge_limit, .on_creases = k_on_creases}, pool);
+  // As of a box, whose edges are fair lines already.
+  CellMesh lined = share_on_creases(mesh, faces) >= k_faces
+                       ? CellMesh{mesh, std::move(faces)}
+                       : lined_cells(mesh, merge_cells(mesh, small, {.limit = merge_limit}, pool),
+                                     limit, way.spread, pool);
   OpenEdges seams = open_between(lined.mesh, lined.cells);
   std::vector<SeamChain> chains = seam_chains(lined.mesh, seams);
   const auto net = std::make_shared<const SeamNet>(

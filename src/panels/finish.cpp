@@ -1,5 +1,6 @@
 #include "panels/finish.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "panels/carried_seams.h"
@@ -18,13 +19,21 @@ constexpr double k_below = 0.995;       // of the limit that is aimed at
 constexpr int k_rounds = 12;
 constexpr int k_divisions = 8;  // in two of what nothing else mends
 
+/// The largest figure of a pattern as a share of its limit.
+double excess(const EdgeStrain& strain, const StrainLimits& limits) {
+  double most = 0.0;
+  for (const LimitCheck& check : check_limits(strain, limits))
+    most = std::max(most, check.value / check.limit);
+  return most;
+}
+
 class Finishing {
  public:
-  Finishing(std::shared_ptr<const SeamNet> net, OpenEdges open, double limit,
+  Finishing(std::shared_ptr<const SeamNet> net, OpenEdges open, const StrainLimits& limits,
             const SeamPrices& prices, ThreadPool& pool)
       : net_(std::move(net)),
         state_(net_->mesh, std::move(open), pool),
-        limit_(limit),
+        limits_(limits),
         prices_(prices),
         pool_(pool) {}
 
@@ -35,7 +44,7 @@ class Finishing {
     FinishedDivision result{net_, state_.open(), {}, true, state_.cost(prices_), state_.tips()};
     for (std::size_t p = 0; p < flat_.size(); ++p) {
       if (state_.pieces()[p].triangles.empty()) continue;
-      result.is_valid = result.is_valid && flat_[p].keeps(limit_);
+      result.is_valid = result.is_valid && flat_[p].keeps(limits_);
       result.pieces.push_back(std::move(flat_[p]));
     }
     return result;
@@ -56,7 +65,7 @@ class Finishing {
     FlatPiece result{piece.triangles, piece.area, false, false, {}};
     if (piece.triangles.empty()) return result;
     const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
-    const auto flat = laid_flat(net_->mesh, corners, limit_, {.threads = 1});
+    const auto flat = laid_flat(net_->mesh, corners, limits_, {.threads = 1});
     if (!flat) return result;
     result.has_pattern = true;
     result.overlaps = flat->pattern.overlaps;
@@ -70,13 +79,13 @@ class Finishing {
     const std::size_t count = flat_.size();
     for (std::size_t p = 0; p < count; ++p) {
       const PanelPiece& piece = state_.pieces()[p];
-      if (piece.triangles.empty() || flat_[p].keeps(limit_)) continue;
+      if (piece.triangles.empty() || flat_[p].keeps(limits_)) continue;
       // What laps is smaller once it is divided, and may keep the limit then.
       if (flat_[p].overlaps || !flat_[p].has_pattern) {
         changed = divide(p) || changed;
         continue;
       }
-      const double aim = piece.strain() * k_below * limit_ / flat_[p].strain.rms;
+      const double aim = piece.strain() * k_below / excess(flat_[p].strain, limits_);
       const std::size_t before = state_.pieces().size();
       unzip(state_, net_->chains, p, aim, k_step, pool_);
       changed = changed || state_.pieces().size() > before;
@@ -93,7 +102,7 @@ class Finishing {
 
   std::shared_ptr<const SeamNet> net_;
   SeamState state_;
-  double limit_;
+  StrainLimits limits_;
   SeamPrices prices_;
   ThreadPool& pool_;
   std::vector<FlatPiece> flat_;  // by piece of the state
@@ -101,17 +110,17 @@ class Finishing {
 
 }  // namespace
 
-FinishedDivision finished(const Patch& product, const Division& division, double limit,
-                          const SeamPrices& prices, ThreadPool& pool) {
+FinishedDivision finished(const Patch& product, const Division& division,
+                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool) {
   CarriedSeams carried =
       carried_seams(product, *division.net, division.state.open(), k_least_piece);
   for (int round = 0;; ++round) {
     const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
-    FinishedDivision result = Finishing(net, std::move(carried.open), limit, prices, pool).run();
+    FinishedDivision result = Finishing(net, std::move(carried.open), limits, prices, pool).run();
     if (result.is_valid || round == k_divisions) return result;
     std::vector<std::vector<Index>> bad;
     for (const FlatPiece& piece : result.pieces) {
-      if (!piece.keeps(limit)) bad.push_back(piece.triangles);
+      if (!piece.keeps(limits)) bad.push_back(piece.triangles);
     }
     carried = with_pieces_divided(*net, result.open, bad, k_least_part, pool);
   }

@@ -17,7 +17,9 @@ struct FlatPiece {
   bool overlaps = false;
   EdgeStrain strain = {};
 
-  bool keeps(double limit) const { return has_pattern && !overlaps && strain.rms <= limit; }
+  bool keeps(const StrainLimits& limits) const {
+    return has_pattern && !overlaps && limits.kept_by(strain);
+  }
 };
 
 /// A division of a product itself.
@@ -34,7 +36,7 @@ struct FinishedDivision {
 /// limit is not kept from their ends (unzip()), where a piece laps one that divides it
 /// (lapping_pieces()).
 /// @throws Cancelled
-FinishedDivision finished(const Patch& product, const Division& division, double limit,
-                          const SeamPrices& prices, ThreadPool& pool);
+FinishedDivision finished(const Patch& product, const Division& division,
+                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool);
 
 }  // namespace planish

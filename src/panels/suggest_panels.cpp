@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,8 @@
 #include <planish/panels/suggest_panels.h>
 
 #include "core/job.h"
+#include "measure/area.h"
+#include "mesh/split.h"
 #include "panels/cells/thinned_product.h"
 #include "panels/division.h"
 #include "panels/finish.h"
@@ -33,17 +36,28 @@ SeamPrices prices_of(PanelPreference preference) {
 
 void require(const Patch& patch, const PanelOptions& options) {
   require(patch.inspection(), Purpose::measure);
-  const Topology& topology = patch.inspection().topology;
-  if (topology.components > 1)
-    throw Error(ErrorCode::several_components,
-                "the product has several parts; divide them one by one");
-  if (topology.genus > 0)
-    throw Error(ErrorCode::handles, "a product with handles cannot be divided into panels yet");
-  if (!(options.max_rms > 0.0 && options.max_rms <= k_largest_strain_limit))
-    throw Error(ErrorCode::option_out_of_range, "max_rms must be above 0 and at most 1");
+  require(options.limits);
+  if (!options.limits.any())
+    throw Error(ErrorCode::option_out_of_range, "panels need a limit of strain");
   if (options.moves == 0) throw Error(ErrorCode::option_out_of_range, "moves must be 1 or more");
   if (options.trial_vertices < 100)
     throw Error(ErrorCode::option_out_of_range, "trial_vertices must be at least 100");
+}
+
+/// The rms strain that a pattern within the limits has at most, about. The potential tells no
+/// other.
+double rms_within(const StrainLimits& limits) {
+  constexpr double k_of_area = 0.45, k_of_every_edge = 0.25;
+  double rms = k_largest_strain_limit;
+  const auto lower = [&](double limit, double share) {
+    if (limit > 0.0) rms = std::min(rms, share * limit);
+  };
+  lower(limits.rms, 1.0);
+  for (const double limit : {limits.p99, 0.5 * (limits.p99_stretch + limits.p99_compression)})
+    lower(limit, k_of_area);
+  for (const double limit : {limits.max, 0.5 * (limits.max_stretch + limits.max_compression)})
+    lower(limit, k_of_every_edge);
+  return rms;
 }
 
 PanelSuggestion suggestion_of(const FinishedDivision& division) {
@@ -73,9 +87,23 @@ class PanelSearch {
         context_(context),
         pool_(context),
         prices_(prices_of(options.prefer)),
+        rms_(rms_within(options.limits)),
         thin_(thinned_product(product, options.trial_vertices, pool_)) {}
 
   PanelSuggestion run() {
+    try {
+      search();
+    } catch (const Cancelled&) {
+      if (!best_) throw;
+      PanelSuggestion best = suggestion_of(*best_);
+      best.was_cancelled = true;
+      return best;
+    }
+    return suggestion_of(*best_);
+  }
+
+ private:
+  void search() {
     for (std::size_t move = 0; move < options_.moves; move += k_together) {
       report_progress(
           context_, {"dividing", static_cast<double>(move) / static_cast<double>(options_.moves)});
@@ -91,10 +119,8 @@ class PanelSearch {
         if (options_.on_better) options_.on_better(suggestion_of(*best_));
       }
     }
-    return suggestion_of(*best_);
   }
 
- private:
   static bool is_better(const FinishedDivision& one, const FinishedDivision& other) {
     if (one.is_valid != other.is_valid) return one.is_valid;
     return one.cost < other.cost;
@@ -103,10 +129,10 @@ class PanelSearch {
   /// Nothing where the thinned product says that it is no better.
   std::optional<FinishedDivision> try_out(std::size_t move) const {
     ThreadPool alone(Context{.threads = 1, .is_cancelled = context_.is_cancelled});
-    const Division division = divided(thin_, options_.max_rms, prices_, way_of_move(move), alone);
+    const Division division = divided(thin_, rms_, prices_, way_of_move(move), alone);
     const double cost = division.cost + (division.lies_flat ? 0.0 : k_lap);
     if (best_ && best_->is_valid && cost >= best_->cost) return std::nullopt;
-    return finished(product_, division, options_.max_rms, prices_, alone);
+    return finished(product_, division, options_.limits, prices_, alone);
   }
 
   const Patch& product_;
@@ -114,9 +140,78 @@ class PanelSearch {
   const Context& context_;
   ThreadPool pool_;
   SeamPrices prices_;
+  double rms_;
   PanelMesh thin_;
   std::optional<FinishedDivision> best_;
 };
+
+/// Puts a divided part of a product behind those that are there.
+void add_part(const NamedPatch& part, const PanelSuggestion& divided, double share,
+              PanelSuggestion& whole) {
+  const auto first_new = static_cast<Index>(whole.mesh.positions.size());
+  const auto first_triangle = static_cast<Index>(whole.mesh.triangles.size());
+  const auto kept = static_cast<Index>(part.vertices.size());
+  const auto number = [&](Index v) { return v < kept ? part.vertices[v] : first_new + v - kept; };
+  whole.mesh.positions.insert(whole.mesh.positions.end(), divided.mesh.positions.begin() + kept,
+                              divided.mesh.positions.end());
+  for (const Triangle& t : divided.mesh.triangles)
+    whole.mesh.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
+  for (std::vector<Index> seam : divided.seams) {
+    std::transform(seam.begin(), seam.end(), seam.begin(), number);
+    whole.seams.push_back(std::move(seam));
+  }
+  for (SuggestedPanel panel : divided.panels) {
+    for (Index& t : panel.triangles)
+      t += first_triangle;
+    panel.area *= share;
+    whole.panels.push_back(std::move(panel));
+  }
+  whole.length += divided.length;
+  whole.tips += divided.tips;
+  whole.met = whole.met && divided.met;
+  whole.was_cancelled = whole.was_cancelled || divided.was_cancelled;
+}
+
+/// One part after the other.
+PanelSuggestion with_parts_divided(const Patch& product, const PanelOptions& options,
+                                   const Context& context) {
+  const std::vector<NamedPatch> parts = split(product.mesh(), "part");
+  const SeamPrices prices = prices_of(options.prefer);
+  std::vector<double> areas;
+  double area = 0.0;
+  for (const NamedPatch& part : parts) {
+    areas.push_back(area_of(part.mesh, 1.0));
+    area += areas.back();
+  }
+  PanelSuggestion whole;
+  whole.mesh.positions = product.mesh().positions;
+  whole.met = true;
+  const auto with_part = [&](PanelSuggestion so_far, std::size_t k,
+                             const PanelSuggestion& divided) {
+    add_part(parts[k], divided, areas[k] / area, so_far);
+    so_far.cost = so_far.length / std::sqrt(area) +
+                  prices.piece * static_cast<double>(so_far.panels.size()) +
+                  prices.tip * static_cast<double>(so_far.tips);
+    return so_far;
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    PanelOptions of_part = options;
+    of_part.on_better = {};
+    if (options.on_better && k + 1 == parts.size()) {
+      of_part.on_better = [&](const PanelSuggestion& better) {
+        options.on_better(with_part(whole, k, better));
+      };
+    }
+    const auto share_at = [&](std::size_t i) {
+      return static_cast<double>(i) / static_cast<double>(parts.size());
+    };
+    const Context of_job = part_of(context, share_at(k), share_at(k + 1));
+    const Patch part(parts[k].mesh);
+    const PanelSuggestion divided = PanelSearch(part, of_part, of_job).run();
+    whole = with_part(std::move(whole), k, divided);
+  }
+  return whole;
+}
 
 }  // namespace
 
@@ -125,7 +220,7 @@ std::string_view to_string(PanelPreference preference) {
     case PanelPreference::few:
       return "few";
     case PanelPreference::shortest:
-      return "shortest";
+      return "short";
     case PanelPreference::simple:
       return "simple";
   }
@@ -135,7 +230,9 @@ std::string_view to_string(PanelPreference preference) {
 PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options,
                                const Context& context) {
   require(patch, options);
-  return PanelSearch(patch, options, context).run();
+  if (patch.inspection().topology.components == 1)
+    return PanelSearch(patch, options, context).run();
+  return with_parts_divided(patch, options, context);
 }
 
 }  // namespace planish

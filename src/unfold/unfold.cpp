@@ -261,7 +261,7 @@ class Unfolding {
     LeastStretch flat =
         minimise_stretch(disk_, *system_, std::move(start), options_.max_iterations,
                          unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
-    if (disk_.hole_count() > 0 && border_crosses_itself(disk_, flat.flat)) {
+    if (holes_cross(disk_, flat.flat)) {
       const auto step = unfolding_steps(parts.next(0.5), k_step_of_stretch);
       if (auto open = starts_.with_holes_open(options_.max_iterations, step))
         flat = *std::move(open);

@@ -13,6 +13,7 @@ Command unfold_command();
 Command compare_command();
 Command frontier_command();
 Command suggest_cuts_command();
+Command panels_command();
 Command carry_command();
 Command convert_command();
 Command sample_command();

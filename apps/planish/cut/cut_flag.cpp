@@ -10,6 +10,7 @@
 #include <planish/unfold/suggest_cuts.h>
 
 #include "cut/loose_paths.h"
+#include "cut/panels.h"
 #include "cut/requested_lines.h"
 #include "cut/small_pieces.h"
 #include "cut/symmetric_design.h"
@@ -30,8 +31,8 @@ std::vector<Flag> cut_flags() {
   Flag cut = {
       "--cut", "LINES",
       "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
-      "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups or "
-      "open; may be repeated"};
+      "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups, "
+      "open, or auto: into panels that keep the limit of strain; may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
@@ -52,6 +53,8 @@ std::vector<Flag> cut_flags() {
                      "are narrower than two edges; else each is joined to a neighbour"};
   std::vector<Flag> flags = {cut, along, smooth, avoid, keep};
   for (Flag& flag : symmetric_flags())
+    flags.push_back(std::move(flag));
+  for (Flag& flag : panel_flags())
     flags.push_back(std::move(flag));
   return flags;
 }
@@ -308,10 +311,17 @@ CutInput cut_without_images(TriMesh mesh, const std::string& path, const Argumen
   CutInput result = {std::move(mesh), CutOutcome{}};
   if (asks_for_lines(arguments))
     result = cut_along_lines(std::move(result.mesh), nullptr, path, arguments, session);
-  if (!asks_to_open(arguments)) return result;
-  CutInput open = opened(std::move(result.mesh), arguments, session, limits);
-  *open.cut += *result.cut;
-  return open;
+  if (asks_to_open(arguments)) {
+    CutInput open = opened(std::move(result.mesh), arguments, session, limits);
+    *open.cut += *result.cut;
+    return open;
+  }
+  if (asks_for_panels(arguments)) {
+    CutInput divided = divided_into_panels(Patch(result.mesh), path, arguments, session);
+    *divided.cut += *result.cut;
+    return divided;
+  }
+  return result;
 }
 
 }  // namespace
@@ -327,7 +337,7 @@ CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
 
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits) {
-  const bool opens = arguments.has("--cut") && asks_to_open(arguments);
+  const bool opens = asks_to_open(arguments);
   if (arguments.has("--avoid") && !opens)
     throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");
   const bool is_symmetric = asks_for_symmetry(arguments);
@@ -343,6 +353,15 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
     input.symmetric_in = symmetric.plane();
     return input;
   });
+}
+
+CutInput divided_into_panels(const Patch& patch, const std::string& path,
+                             const Arguments& arguments, Session& session) {
+  const PanelSuggestion found =
+      about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
+  session.note("--cut auto: " + panels_words(found, unit_from(arguments)) +
+               (found.met ? "" : "; not every piece keeps the limit of strain"));
+  return cut_into_panels(found);
 }
 
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {

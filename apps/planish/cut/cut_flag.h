@@ -44,6 +44,11 @@ struct OpeningLimits {
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits = {});
 
+/// As `--cut auto` does: divides into panels that keep the limits of the flags.
+/// @throws Error as suggest_panels()
+CutInput divided_into_panels(const Patch& patch, const std::string& path,
+                             const Arguments& arguments, Session& session);
+
 /// What --cut did as "cut": {"edges", "length", ...}, for a report; nothing without the flag.
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut);
 

@@ -27,6 +27,11 @@ namespace {
 constexpr double k_on_plane = 1e-6;
 
 constexpr const char* k_open = "open";
+constexpr const char* k_auto = "auto";
+
+bool is_line(const std::string& value) {
+  return value != k_open && value != k_auto;
+}
 
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
@@ -228,19 +233,26 @@ std::vector<std::string> all_values(const Arguments& arguments) {
   return all;
 }
 
+bool has_value(const Arguments& arguments, const char* word) {
+  if (!arguments.has("--cut") || arguments.rows.contains("--cut")) return false;
+  const std::vector<std::string> values = all_values(arguments);
+  return std::find(values.begin(), values.end(), word) != values.end();
+}
+
 }  // namespace
 
 bool asks_to_open(const Arguments& arguments) {
-  if (arguments.rows.contains("--cut")) return false;
-  const std::vector<std::string> values = all_values(arguments);
-  return std::find(values.begin(), values.end(), k_open) != values.end();
+  return has_value(arguments, k_open);
+}
+
+bool asks_for_panels(const Arguments& arguments) {
+  return has_value(arguments, k_auto);
 }
 
 bool asks_for_lines(const Arguments& arguments) {
   if (arguments.rows.contains("--cut")) return true;
   const std::vector<std::string> values = all_values(arguments);
-  return std::any_of(values.begin(), values.end(),
-                     [](const std::string& value) { return value != k_open; });
+  return std::any_of(values.begin(), values.end(), is_line);
 }
 
 RequestedLines requested_lines(const Patch& patch, const std::string& path,
@@ -251,7 +263,7 @@ RequestedLines requested_lines(const Patch& patch, const std::string& path,
     return all;
   }
   for (const std::string& value : all_values(arguments)) {
-    if (value == k_open) continue;
+    if (!is_line(value)) continue;
     if (!is_file(value)) {
       add_words(all, patch, path, {value, words_of(value)}, arguments);
     } else if (is_svg(value)) {

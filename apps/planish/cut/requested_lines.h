@@ -28,10 +28,13 @@ Plane axis_plane(const std::string& flag, const std::string& kind, const std::st
 /// Whether a value of --cut is `open`.
 bool asks_to_open(const Arguments& arguments);
 
+/// Whether a value of --cut is `auto`: the surface is divided into panels.
+bool asks_for_panels(const Arguments& arguments);
+
 /// Whether a value of --cut is anything else.
 bool asks_for_lines(const Arguments& arguments);
 
-/// The lines of all values of --cut but `open`: rows, files, and what words ask for, docs/lines.md.
+/// The lines of all values of --cut but `open` and `auto`: rows, files, and what words ask for, docs/lines.md.
 /// @param patch in the coordinates of its file
 /// @param path of that file
 /// @throws Error misplaced_cut, or as read_cut_lines(); UsageError

@@ -43,12 +43,10 @@ bool asks_for_symmetry(const Arguments& arguments) {
         "flag --symmetric does not go with --cut-along edges, as edges need not have mirror "
         "images");
   }
-  const std::vector<Field> lines = arguments.fields("--cut");
-  const bool opens = std::any_of(lines.begin(), lines.end(),
-                                 [](const Field& line) { return field_text(line) == "open"; });
-  if (opens) {
-    throw UsageError(
-        "flag --symmetric does not go with --cut open: name the lines, as --cut \"plane x=0\"");
+  if (asks_to_open(arguments) || asks_for_panels(arguments)) {
+    throw UsageError("flag --symmetric does not go with --cut " +
+                     std::string(asks_to_open(arguments) ? "open" : "auto") +
+                     ": name the lines, as --cut \"plane x=0\"");
   }
   return true;
 }

@@ -322,12 +322,43 @@ namespace {
 
 constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
 
+/// Why a sound surface has to be divided before it is laid flat; nothing where it need not.
+std::string reason_to_divide(const Patch& patch) {
+  const Inspection& inspection = patch.inspection();
+  if (blocking_problem(inspection, Purpose::measure)) return {};
+  const auto problem = blocking_problem(inspection, Purpose::unfold);
+  if (!problem) return {};
+  switch (problem->code) {
+    case ErrorCode::closed_surface:
+      return "the surface is closed";
+    case ErrorCode::handles:
+      return "the surface has handles";
+    case ErrorCode::several_border_loops:
+      return "the surface is a tube or has open seams";
+    default:
+      return {};
+  }
+}
+
 /// The pieces that a patch is cut into; to what was done to all is added what was done to it.
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
                                     bool is_one_of_several, const Arguments& arguments,
                                     Session& session, CutInput& all) {
-  CutInput cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                              {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+  CutInput cut = {};
+  if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
+    cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
+                       {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+  } else {
+    const Patch whole(std::move(patch.mesh));
+    if (const std::string reason = reason_to_divide(whole); !reason.empty()) {
+      session.note(path + ": " + reason +
+                   "; it is divided, as by --cut auto. Of a wall with a thickness --side takes one "
+                   "side");
+      cut = divided_into_panels(whole, path, arguments, session);
+    } else {
+      cut.mesh = whole.mesh();
+    }
+  }
   if (cut.cut) *all.cut += *cut.cut;
   all.symmetric_in = cut.symmetric_in;
   std::vector<ProductPatch> pieces;

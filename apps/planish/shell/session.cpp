@@ -89,7 +89,7 @@ Context Session::silent_context() const {
 }
 
 bool Session::interrupted() const {
-  return context_.interrupted != nullptr && context_.interrupted->load();
+  return !is_resumed_ && context_.interrupted != nullptr && context_.interrupted->load();
 }
 
 void Session::stop_if_interrupted() const {

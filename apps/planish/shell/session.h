@@ -43,6 +43,9 @@ class Session {
   /// fails: what the run was for is done by then.
   void open(const std::filesystem::path& page) noexcept;
   SystemFacts system_facts() const;
+  /// Goes on although the user asked to stop, as where a search was stopped and its best answer is
+  /// used. Asked a second time, the program ends at once.
+  void resume() { is_resumed_ = true; }
 
   /// Writes all files or none; below the folder no symbolic link is followed, as write_files()
   /// tells.
@@ -63,6 +66,7 @@ class Session {
   bool quiet_;
   bool draws_progress_;
   unsigned threads_ = 0;
+  bool is_resumed_ = false;
   std::size_t drawn_ = 0;  // characters of the progress line that stand there
   std::chrono::steady_clock::time_point last_drawn_ = {};
 };

@@ -17,7 +17,7 @@ enum class PanelPreference {
   shortest,  ///< the length of seams
   simple,    ///< slits: there are none that end inside a piece
 };
-/// "few", "shortest" or "simple".
+/// "few", "short" or "simple".
 std::string_view to_string(PanelPreference preference);
 
 /// One piece of a divided product.
@@ -31,7 +31,9 @@ struct SuggestedPanel {
 
 /// A product divided into panels.
 struct PanelSuggestion {
-  TriMesh mesh;                           ///< the product, as imprint() makes seams edges of it
+  /// The product, as imprint() makes seams edges of it: its vertices first; of several parts the
+  /// triangles of one are behind those of the other.
+  TriMesh mesh;
   std::vector<std::vector<Index>> seams;  ///< vertices of the mesh along each, from end to end
   std::vector<SuggestedPanel> panels;     ///< by their smallest triangles
   double length = 0.0;                    ///< of the seams, model units
@@ -39,24 +41,27 @@ struct PanelSuggestion {
   double cost = 0.0;                      ///< J (docs/panels.md)
   /// Every panel keeps the limit and has a pattern that lies nowhere over itself.
   bool met = false;
+  bool was_cancelled = false;  ///< before all moves were made: this is the best until then
 };
 
-/// The limit for panels, and the effort of the search.
+/// The limits for panels, and the effort of the search.
 struct PanelOptions {
-  double max_rms = 0.02;                          ///< of the rms strain of each, 0 to 1
+  StrainLimits limits = {.rms = 0.02};            ///< of each pattern; at least one
   PanelPreference prefer = PanelPreference::few;  ///< what is saved first
   std::size_t moves = 12;                         ///< divisions that are tried, 1 or more
   std::size_t trial_vertices = 3000;              ///< of the thinned product, at least 100
-  /// Called with each division that is better than those before, from the calling thread. What it
-  /// throws ends the search and is passed on.
+  /// Called with each division that is better than those before, from the calling thread; of a
+  /// product of several parts once the others are divided. What it throws ends the search and is
+  /// passed on.
   std::function<void(const PanelSuggestion&)> on_better = {};
 };
 
 /// Divides a product into few panels with short seams, of which each can be laid flat within the
 /// limit (docs/panels.md). The same bits every time, whatever the number of threads.
-/// @return the best that was found; `met` says whether it keeps the limit
-/// @throws Error several_components, handles, option_out_of_range, what stands in the way of
-///   Purpose::measure; Cancelled
+/// Several parts are divided one after the other.
+/// @return the best that was found; `met` says whether it keeps the limits
+/// @throws Error option_out_of_range, what stands in the way of Purpose::measure; Cancelled before
+///   there is a division
 PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options = {},
                                const Context& context = {});
 

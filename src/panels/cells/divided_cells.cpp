@@ -61,7 +61,7 @@ std::vector<SurfaceLine> dividing_lines(const PanelMesh& mesh, const OpenEdges& 
   std::vector<Index> all(triangles.size());
   std::iota(all.begin(), all.end(), Index{0});
   const std::vector<Index> halves =
-      normal_cells(alone, all, corners.loops() > 1 ? 3 : 2, k_place_weight);
+      normal_cells(alone, all, corners.border_loops().size() > 1 ? 3 : 2, k_place_weight);
   std::vector<SurfaceLine> lines = tie_lines(alone, cell_fields(alone, halves, k_spread, pool));
   for (SurfaceLine& line : lines) {
     for (SurfacePoint& place : line) {

@@ -15,10 +15,21 @@ namespace {
 
 using CellPair = std::pair<Index, Index>;
 
+/// The border of two cells.
+struct SharedBorder {
+  double length = 0.0, weight = 0.0;
+
+  SharedBorder& operator+=(const SharedBorder& more) {
+    length += more.length;
+    weight += more.weight;
+    return *this;
+  }
+};
+
 struct Cell {
   PanelPiece piece;
   double perimeter = 0.0;
-  std::map<Index, double> shared;  // length of the border with each neighbour
+  std::map<Index, SharedBorder> shared;  // with each neighbour
 };
 
 class Merging {
@@ -40,8 +51,10 @@ class Merging {
       cells_[a].perimeter += edge.length;
       if (b == PanelEdge::none) continue;
       cells_[b].perimeter += edge.length;
-      cells_[a].shared[b] += edge.length;
-      cells_[b].shared[a] += edge.length;
+      const double weight = is_crease(mesh, edge) ? options.on_creases : 1.0;
+      const SharedBorder border{edge.length, weight * edge.length};
+      cells_[a].shared[b] += border;
+      cells_[b].shared[a] += border;
     }
   }
 
@@ -70,7 +83,7 @@ class Merging {
   double share_of(CellPair pair) const {
     const Cell& a = cells_[pair.first];
     const Cell& b = cells_[pair.second];
-    return a.shared.at(pair.second) / std::min(a.perimeter, b.perimeter);
+    return a.shared.at(pair.second).weight / std::min(a.perimeter, b.perimeter);
   }
 
   PanelPiece together(CellPair pair) const {
@@ -89,14 +102,16 @@ class Merging {
     const double most = options_.limit * options_.limit * (a.area + b.area);
     if (a.energy + b.energy > most) return k_never;
     const PanelPiece both = together(pair);
-    if (both.cut_loops > 1 || both.energy > most) return k_never;
+    // No cell becomes a ring around others; one that is may take them in.
+    const std::size_t most_loops = std::max({std::size_t{1}, a.cut_loops, b.cut_loops});
+    if (both.cut_loops > most_loops || both.energy > most) return k_never;
     return share_of(pair) - 0.3 * both.energy / most;
   }
 
   void measure_new_pairs() {
     std::vector<CellPair> pairs;
     for (Index a = 0; a < cells_.size(); ++a) {
-      for (const auto& [b, length] : cells_[a].shared) {
+      for (const auto& [b, border] : cells_[a].shared) {
         if (a < b && !merits_.contains({a, b})) pairs.emplace_back(a, b);
       }
     }
@@ -112,13 +127,13 @@ class Merging {
   void merge(CellPair pair) {
     const auto [a, b] = pair;
     cells_[a].piece = together(pair);
-    cells_[a].perimeter += cells_[b].perimeter - 2.0 * cells_[a].shared.at(b);
+    cells_[a].perimeter += cells_[b].perimeter - 2.0 * cells_[a].shared.at(b).length;
     cells_[a].shared.erase(b);
-    for (const auto& [c, length] : cells_[b].shared) {
+    for (const auto& [c, border] : cells_[b].shared) {
       cells_[c].shared.erase(b);
       if (c == a) continue;
-      cells_[a].shared[c] += length;
-      cells_[c].shared[a] += length;
+      cells_[a].shared[c] += border;
+      cells_[c].shared[a] += border;
     }
     cells_[b] = {};
     std::erase_if(merits_, [&, a = a, b = b](const auto& entry) {

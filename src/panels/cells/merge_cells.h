@@ -13,6 +13,7 @@ struct MergeOptions {
   double limit = 0.02;  ///< of the strain of each, rms by area
   /// Of the border of the smaller one, two cells share at least this, so that none becomes a comb.
   double least_share = 0.2;
+  double on_creases = 1.0;  ///< what a length counts for there in what they share
 };
 
 /// Merges cells with neighbours, one pair after the other, as long as the strain of both together

@@ -5,8 +5,8 @@
 
 namespace planish {
 
-std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& corners, double limit,
-                                  const Context& context) {
+std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& corners,
+                                  const StrainLimits& limits, const Context& context) {
   TriMesh piece;
   for (std::size_t v = 0; v < corners.vertex_count(); ++v)
     piece.positions.push_back(mesh.patch().positions()[corners.vertex_of(v)]);
@@ -15,7 +15,7 @@ std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& cor
     LaidFlat flat{Patch(std::move(piece)), {}, {}};
     UnfoldOptions options;
     options.least_stretch = true;
-    options.limits.rms = limit;
+    options.limits = limits;
     // As much as unfold() moves sides of a slit apart at most.
     options.open_crossings = std::numeric_limits<double>::max();
     flat.pattern = unfold(flat.patch, options, context);

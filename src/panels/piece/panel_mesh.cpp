@@ -75,6 +75,18 @@ void PanelMesh::pair_sides() {
   }
 }
 
+bool is_crease(const PanelMesh& mesh, const PanelEdge& edge) {
+  constexpr double k_cosine = 0.8660254037844386;  // of 30 degrees
+  if (edge.is_border()) return false;
+  const auto normal = [&](Index triangle) {
+    const Triangle& t = mesh.triangles()[triangle];
+    const auto at = [&](std::size_t i) { return mesh.scale() * mesh.patch().positions()[t[i]]; };
+    return cross(at(1) - at(0), at(2) - at(0));
+  };
+  const Vec3 a = normal(edge.triangles[0]), b = normal(edge.triangles[1]);
+  return dot(a, b) <= k_cosine * norm(a) * norm(b);
+}
+
 double open_length(const PanelMesh& mesh, const OpenEdges& open) {
   NeumaierSum sum;
   for (std::size_t e = 0; e < open.size(); ++e) {

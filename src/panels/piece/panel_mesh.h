@@ -60,6 +60,9 @@ class PanelMesh {
   double scale_ = 1.0, mean_edge_ = 0.0;
 };
 
+/// Whether the surface bends by 30 degrees or more at an edge.
+bool is_crease(const PanelMesh& mesh, const PanelEdge& edge);
+
 /// The sum of the lengths of edges that are open.
 double open_length(const PanelMesh& mesh, const OpenEdges& open);
 

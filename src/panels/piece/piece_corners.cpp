@@ -33,7 +33,7 @@ PieceCorners::PieceCorners(const PanelMesh& mesh, const OpenEdges& open,
     across_.push_back(across);
   }
   unite(mesh);
-  count_loops(mesh);
+  trace_border(mesh, place);
 }
 
 void PieceCorners::unite(const PanelMesh& mesh) {
@@ -62,7 +62,8 @@ void PieceCorners::unite(const PanelMesh& mesh) {
   }
 }
 
-void PieceCorners::count_loops(const PanelMesh& mesh) {
+/// @param place of each triangle of the mesh in the piece
+void PieceCorners::trace_border(const PanelMesh& mesh, std::span<const Index> place) {
   is_border_.assign(vertex_of_.size(), 0);
   std::size_t ends = 0;
   std::vector<std::array<unsigned char, 3>> seen(across_.size(), {0, 0, 0});
@@ -72,11 +73,15 @@ void PieceCorners::count_loops(const PanelMesh& mesh) {
       ++ends;
       is_border_[corners_[k][i]] = is_border_[corners_[k][(i + 1) % 3]] = 1;
       if (seen[k][i] != 0) continue;
-      ++loops_;
-      bool is_cut = false;
+      std::vector<Index>& loop = loops_.emplace_back();
+      bool is_cut = false, is_slit = true;
       for (std::size_t t = k, side = i; seen[t][side] == 0;) {
         seen[t][side] = 1;
-        is_cut = is_cut || !mesh.edges()[mesh.edge_of(triangles_[t], side)].is_border();
+        loop.push_back(corners_[t][side]);
+        const PanelEdge& edge = mesh.edges()[mesh.edge_of(triangles_[t], side)];
+        is_cut = is_cut || !edge.is_border();
+        is_slit =
+            is_slit && !edge.is_border() && place[edge.other(triangles_[t])] != PanelEdge::none;
         side = (side + 1) % 3;
         while (!is_end(t, side)) {
           const Index next = across_[t][side];
@@ -85,11 +90,12 @@ void PieceCorners::count_loops(const PanelMesh& mesh) {
         }
       }
       cut_loops_ += is_cut ? 1 : 0;
+      is_slit_.push_back(is_slit ? 1 : 0);
     }
   }
   // Euler: V - E + F + loops = 2 for a sphere with holes, in one part.
   const std::size_t edges = (3 * across_.size() + ends) / 2;
-  is_planar_ = vertex_of_.size() + across_.size() + loops_ == edges + 2;
+  is_planar_ = vertex_of_.size() + across_.size() + loops_.size() == edges + 2;
 }
 
 }  // namespace planish

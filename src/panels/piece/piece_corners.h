@@ -26,16 +26,19 @@ class PieceCorners {
   Index vertex_of(std::size_t vertex) const { return vertex_of_[vertex]; }
   /// Whether an open side, or one at the end of the piece, begins or ends there.
   bool is_border(std::size_t vertex) const { return is_border_[vertex] != 0; }
-  /// Border curves of the piece; its own, and those around its slits.
-  std::size_t loops() const { return loops_; }
-  /// Those of them that are not all of them border of the mesh.
+  /// The vertices along the border curves of the piece, the surface on their left: its own, and
+  /// those around its slits.
+  const std::vector<std::vector<Index>>& border_loops() const { return loops_; }
+  /// Whether a loop goes around a slit: the piece is on both sides of each of its edges.
+  bool is_slit(std::size_t loop) const { return is_slit_[loop] != 0; }
+  /// How many loops are not all of them border of the mesh.
   std::size_t cut_loops() const { return cut_loops_; }
   /// Whether the piece is in one part a disk, perhaps with holes.
-  bool is_planar() const { return loops_ > 0 && is_planar_; }
+  bool is_planar() const { return !loops_.empty() && is_planar_; }
 
  private:
   void unite(const PanelMesh& mesh);
-  void count_loops(const PanelMesh& mesh);
+  void trace_border(const PanelMesh& mesh, std::span<const Index> place);
   bool is_end(std::size_t k, std::size_t side) const { return across_[k][side] == PanelEdge::none; }
 
   std::span<const Index> triangles_;
@@ -43,7 +46,9 @@ class PieceCorners {
   std::vector<Triangle> corners_;
   std::vector<Index> vertex_of_;
   std::vector<unsigned char> is_border_;
-  std::size_t loops_ = 0, cut_loops_ = 0;
+  std::vector<std::vector<Index>> loops_;
+  std::vector<unsigned char> is_slit_;  // by loop
+  std::size_t cut_loops_ = 0;
   bool is_planar_ = false;
 };
 

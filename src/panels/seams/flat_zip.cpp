@@ -145,7 +145,7 @@ LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& cha
                        std::size_t piece, double piece_price) {
   const std::vector<Index>& triangles = state.pieces()[piece].triangles;
   const PieceCorners corners(state.mesh(), state.open(), triangles);
-  const auto flat = laid_flat(state.mesh(), corners, 0.0, {.threads = 1});
+  const auto flat = laid_flat(state.mesh(), corners, {}, {.threads = 1});
   if (flat && !flat->pattern.overlaps) return {};
   std::vector<std::array<Index, 2>> crossings;
   if (flat) crossings = crossing_triangles(*flat, triangles);

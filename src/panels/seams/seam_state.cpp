@@ -76,7 +76,7 @@ std::vector<Index> SeamState::pieces_beside(std::span<const Index> edges) const 
   return beside;
 }
 
-PanelPiece SeamState::closed_piece(std::span<const Index> edges, std::size_t most_loops) const {
+PanelPiece SeamState::closed_piece(std::span<const Index> edges, std::size_t most_cut_loops) const {
   OpenEdges open = open_;
   for (const Index e : edges)
     open[e] = 0;
@@ -84,7 +84,7 @@ PanelPiece SeamState::closed_piece(std::span<const Index> edges, std::size_t mos
   for (const Index p : pieces_beside(edges))
     triangles.insert(triangles.end(), pieces_[p].triangles.begin(), pieces_[p].triangles.end());
   std::sort(triangles.begin(), triangles.end());
-  return measured_piece(*mesh_, open, std::move(triangles), most_loops);
+  return measured_piece(*mesh_, open, std::move(triangles), most_cut_loops);
 }
 
 void SeamState::close(std::span<const Index> edges, PanelPiece piece) {

@@ -36,8 +36,8 @@ class SeamState {
   int more_tips(std::span<const Index> edges) const;
 
   /// The piece that closing the edges would make of those beside them.
-  /// @param most_loops as measured_piece() takes it
-  PanelPiece closed_piece(std::span<const Index> edges, std::size_t most_loops) const;
+  /// @param most_cut_loops as measured_piece() takes it
+  PanelPiece closed_piece(std::span<const Index> edges, std::size_t most_cut_loops) const;
   /// Closes edges, where closed_piece() gave this.
   void close(std::span<const Index> edges, PanelPiece piece);
   /// The pieces that opening the edges, of one piece, would make of it.

@@ -89,8 +89,9 @@ Zip::Outcome Zip::try_out(const SeamState& state, const Action& action) const {
   const double gain =
       length + (p == q ? 0.0 : prices_.piece) - prices_.tip * state.more_tips(edges);
   if (before > most || gain <= 0.0) return outcome;
-  const std::size_t most_loops = p == q ? a.loops : a.loops + b.loops - 1;
-  outcome.piece = state.closed_piece(edges, most_loops);
+  // No piece becomes a ring around another; holes of the mesh may stay.
+  const std::size_t both = a.cut_loops + (p == q ? 0 : b.cut_loops - 1);
+  outcome.piece = state.closed_piece(edges, std::max<std::size_t>(both, 1));
   outcome.more = std::max(outcome.piece.energy - before, 0.0);
   if (outcome.piece.energy > most) return outcome;
   outcome.ratio = outcome.more / gain * (favour_.empty() ? 1.0 : favour_[action.chain]);

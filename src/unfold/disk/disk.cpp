@@ -150,6 +150,15 @@ bool border_crosses_itself(const Disk& disk, std::span<const Vec2> flat) {
   return crosses_itself(border_of(disk, flat), disk.loops);
 }
 
+bool holes_cross(const Disk& disk, std::span<const Vec2> flat) {
+  constexpr std::size_t k_most = 1000;
+  if (disk.hole_count() == 0) return false;
+  const auto pairs = crossing_sides(border_of(disk, flat), disk.loops, k_most);
+  const std::size_t first = disk.loops.begin(1);
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const auto& pair) { return pair.first >= first || pair.second >= first; });
+}
+
 bool holes_are_open(const Disk& disk, std::span<const Vec2> flat) {
   if (disk.hole_count() == 0) return true;
   std::vector<double> angles(disk.vertex_count, 0.0);

@@ -66,6 +66,10 @@ std::vector<Vec2> border_of(const Disk& disk, std::span<const Vec2> flat);
 /// many times as the loops around it add up to; so one loop is around all others.
 bool border_crosses_itself(const Disk& disk, std::span<const Vec2> flat);
 
+/// Whether the border of a hole crosses itself or another part of the border; of many crossings
+/// some are looked at.
+bool holes_cross(const Disk& disk, std::span<const Vec2> flat);
+
 /// Whether every hole laid flat is turned as it has to be: its loop goes around once, the disk on
 /// its left. @pre all_upright()
 bool holes_are_open(const Disk& disk, std::span<const Vec2> flat);

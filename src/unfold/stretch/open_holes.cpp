@@ -65,13 +65,13 @@ std::optional<LeastStretch> with_open_holes(const Disk& disk, const Disk& filled
     if (!whole) break;
     StretchSystem system(*whole, pool);
     LeastStretch next = minimise_stretch(*whole, system, best.flat, max_iterations, after_step);
-    if (border_crosses_itself(disk, next.flat)) break;
+    if (holes_cross(disk, next.flat)) break;
     next.iterations += best.iterations;
     const double before = total_energy(disk, best.flat), now = total_energy(disk, next.flat);
     best = std::move(next);
     if (!(now < (1.0 - least_gain) * before)) break;
   }
-  if (border_crosses_itself(disk, best.flat)) return std::nullopt;
+  if (holes_cross(disk, best.flat)) return std::nullopt;
   return best;
 }
 

@@ -16,7 +16,7 @@ namespace planish {
 /// 1 % of the energy.
 /// @param filled as with_holes_filled() makes it
 /// @param start of `filled`, without flipped triangles
-/// @return nothing where the border crosses itself all the same
+/// @return nothing where a hole crosses a part of the border all the same
 std::optional<LeastStretch> with_open_holes(const Disk& disk, const Disk& filled,
                                             std::vector<Vec2> start, int max_iterations,
                                             ThreadPool& pool,

@@ -16,7 +16,7 @@ namespace {
 TEST(SuggestPanels, DividesAClosedSurfaceWithinTheLimit) {
   const Patch ball(solids::sphere(1.0, 24));
   PanelOptions options;
-  options.max_rms = 0.05;
+  options.limits.rms = 0.05;
   options.moves = 2;
   options.trial_vertices = 500;
   std::vector<double> costs;
@@ -28,7 +28,7 @@ TEST(SuggestPanels, DividesAClosedSurfaceWithinTheLimit) {
   double area = 0.0;
   for (const SuggestedPanel& panel : found.panels) {
     EXPECT_TRUE(panel.has_pattern && !panel.overlaps);
-    EXPECT_LE(panel.strain.rms, options.max_rms);
+    EXPECT_LE(panel.strain.rms, options.limits.rms);
     area += panel.area;
   }
   EXPECT_NEAR(area, 1.0, 1e-9);
@@ -80,11 +80,42 @@ TEST(SuggestPanels, RefusesWhatItCannotDivide) {
     }
     return ErrorCode::no_triangles;
   };
-  EXPECT_EQ(code_of(meshes::torus(12, 12), {}), ErrorCode::handles);
-  EXPECT_EQ(code_of(meshes::side_by_side(solids::cube(), solids::cube()), {}),
-            ErrorCode::several_components);
-  EXPECT_EQ(code_of(solids::cube(), {.max_rms = 0.0}), ErrorCode::option_out_of_range);
+  EXPECT_EQ(code_of(solids::cube(), {.limits = {}}), ErrorCode::option_out_of_range);
   EXPECT_EQ(code_of(solids::cube(), {.moves = 0}), ErrorCode::option_out_of_range);
+}
+
+TEST(SuggestPanels, DividesPartsAndHandles) {
+  const TriMesh cubes = meshes::side_by_side(meshes::finer(solids::cube(), 3), solids::cube());
+  PanelOptions options{.moves = 1};
+  std::size_t answers = 0;
+  options.on_better = [&](const PanelSuggestion& better) {
+    ++answers;
+    EXPECT_EQ(better.panels.size(), 2U);
+  };
+  const PanelSuggestion two = suggest_panels(Patch(cubes), options);
+  EXPECT_TRUE(two.met);
+  EXPECT_EQ(answers, 1U);
+  ASSERT_EQ(two.panels.size(), 2U);
+  EXPECT_NEAR(two.panels[0].area + two.panels[1].area, 1.0, 1e-12);
+  EXPECT_NEAR(two.length, 2.0 * 5.0, 1e-9);  // the fewest sides of a cube that make a net
+  std::vector<CutPath> paths;
+  for (const std::vector<Index>& seam : two.seams)
+    paths.push_back({seam, {}});
+  EXPECT_EQ(split(cut_open(Patch(two.mesh), paths).mesh, "panel").size(), 2U);
+
+  const PanelSuggestion ring =
+      suggest_panels(Patch(meshes::torus(40, 20)), {.limits = {.rms = 0.05}, .moves = 1});
+  EXPECT_TRUE(ring.met);
+}
+
+TEST(SuggestPanels, HasTheBestWhenItIsCancelled) {
+  bool is_enough = false;
+  PanelOptions options;
+  options.on_better = [&](const PanelSuggestion&) { is_enough = true; };
+  const PanelSuggestion found = suggest_panels(Patch(make_shape("dome", 500)), options,
+                                               {.is_cancelled = [&] { return is_enough; }});
+  EXPECT_TRUE(found.was_cancelled);
+  EXPECT_TRUE(found.met);
 }
 
 TEST(SuggestPanels, CanBeCancelled) {

@@ -1,0 +1,105 @@
+#include "cut/panels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <planish/mesh/cut.h>
+#include <planish/mesh/surface_line.h>
+
+#include "flags/limit_flags.h"
+#include "flags/units.h"
+#include "mesh/mean_edge.h"
+#include "shell/failures.h"
+#include "shell/text.h"
+#include "shell/values.h"
+#include "text/lengths.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr Range k_moves = {1.0, 1000.0};
+constexpr std::size_t k_usual_moves = 4;
+
+const std::vector<std::string>& preference_names() {
+  static const std::vector<std::string> names = {std::string(to_string(PanelPreference::few)),
+                                                 std::string(to_string(PanelPreference::shortest)),
+                                                 std::string(to_string(PanelPreference::simple))};
+  return names;
+}
+
+PanelPreference preference_from(const Arguments& arguments) {
+  const std::vector<std::string>& names = preference_names();
+  const std::string name =
+      known_name("kind of cuts", arguments.text("--prefer-cuts", names.front()), names);
+  const auto found = std::find(names.begin(), names.end(), name);
+  return std::array{PanelPreference::few, PanelPreference::shortest,
+                    PanelPreference::simple}[static_cast<std::size_t>(found - names.begin())];
+}
+
+}  // namespace
+
+std::vector<Flag> panel_flags() {
+  return {{"--prefer-cuts",
+           "WHAT",
+           "what a division into panels saves first: few (pieces), short (seams), simple (no slits "
+           "that end inside a piece); default few",
+           0,
+           false,
+           {.choices = preference_names(), .standard = preference_names().front()}},
+          {"--effort",
+           "N",
+           "how many divisions are tried (1 to 1000, default " + std::to_string(k_usual_moves) +
+               "); more are never worse",
+           0,
+           false,
+           {.range = k_moves, .standard = std::to_string(k_usual_moves)}}};
+}
+
+PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
+                                const Arguments& arguments, Session& session) {
+  PanelOptions options;
+  if (const StrainLimits limits = limits_from(arguments); limits.any()) options.limits = limits;
+  options.prefer = preference_from(arguments);
+  options.moves = static_cast<std::size_t>(whole_number_of(
+      "--effort", arguments.value("--effort", static_cast<int>(k_usual_moves)), k_moves));
+  const Unit unit = unit_from(arguments);
+  options.on_better = [&](const PanelSuggestion& better) {
+    session.tell(path + ": " + panels_words(better, unit) +
+                 (better.met ? "" : "; the limit is not kept"));
+  };
+  PanelSuggestion found = suggest_panels(patch, options, session.job_context(path));
+  if (found.was_cancelled) {
+    session.resume();
+    session.note(path + ": the search was stopped; this is the best answer so far");
+  }
+  return found;
+}
+
+std::string panels_words(const PanelSuggestion& found, Unit unit) {
+  std::string words = counted(found.panels.size(), "piece");
+  if (found.seams.empty()) return words + " without a seam";
+  words += ", " + ShownLengths(unit).text(found.length) + " of seam";
+  if (found.tips > 0) words += ", " + counted(found.tips, "slit");
+  return words;
+}
+
+CutInput cut_into_panels(const PanelSuggestion& found) {
+  const Patch patch(found.mesh);
+  const double edge = mean_edge_length(found.mesh);
+  std::vector<CutPath> paths;
+  CutOutcome outcome;
+  for (const std::vector<Index>& seam : found.seams) {
+    paths.push_back({seam, {}});
+    std::vector<Vec3> line;
+    for (const Index v : seam)
+      line.push_back(found.mesh.positions[v]);
+    outcome.jag = std::max(outcome.jag, jag_of(line, edge));
+  }
+  CutMesh opened = cut_open(patch, paths);
+  outcome.edges = opened.edges;
+  outcome.length = opened.length;
+  return {std::move(opened.mesh), outcome};
+}
+
+}  // namespace planish::cli

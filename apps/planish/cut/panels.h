@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <planish/core/unit.h>
+#include <planish/panels/suggest_panels.h>
+
+#include "cut/cut_flag.h"
+#include "shell/command.h"
+#include "shell/session.h"
+
+namespace planish::cli {
+
+/// --prefer-cuts and --effort.
+std::vector<Flag> panel_flags();
+
+/// Divides a product so that each piece keeps the limits of the flags, or 2 % rms where they name
+/// none. Says each better answer as it is found; where the user asks to stop, the best one counts
+/// and the run goes on.
+/// @param path of the product, for the line of progress
+/// @throws Error as suggest_panels(); UsageError; Cancelled before there is an answer
+PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
+                                const Arguments& arguments, Session& session);
+
+/// "2 pieces, 1478 mm of seam, 3 slits"
+std::string panels_words(const PanelSuggestion& found, Unit unit);
+
+/// The product cut open along the seams of its panels.
+CutInput cut_into_panels(const PanelSuggestion& found);
+
+}  // namespace planish::cli

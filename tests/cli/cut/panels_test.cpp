@@ -1,0 +1,114 @@
+#include <atomic>
+#include <sstream>
+
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/shapes.h>
+
+#include <gmock/gmock.h>
+
+#include "cli/cli_run.h"
+#include "mesh/split.h"
+#include "support/meshes.h"
+#include "support/solids.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::HasSubstr;
+
+class Panels : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    write_mesh("box.obj", meshes::finer(solids::cube(), 2));
+    write_mesh("dome.obj", make_shape("dome", 400));
+  }
+};
+
+TEST_F(Panels, DivideABoxIntoItsNet) {
+  const CliResult result = planish(
+      {"panels", "box.obj", "-o", "seams.obj", "--apply", "net.obj", "--effort", "1", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_EQ(json["met"], true);
+  ASSERT_EQ(json["pieces"].size(), 1U);
+  EXPECT_NEAR(json["pieces"][0]["area"].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(json["length"].get<double>(), 7.0 * 2.0, 1e-9);  // 12 edges, 5 of which join 6 sides
+  EXPECT_EQ(json["files"]["lines"], "seams.obj");
+  EXPECT_EQ(split(read_mesh("net.obj").mesh, "net").size(), 1U);
+
+  // The lines cut the same again, in the units of the file too.
+  const CliResult flat = planish({"flatten", "box.obj", "--cut", "seams.obj", "-o", "flat",
+                                  "--formats", "svg", "--scale", "10", "--json"});
+  ASSERT_EQ(flat.exit_code, k_exit_done) << flat.err;
+  EXPECT_NEAR(flat.json()["cut"]["length"].get<double>(), 140.0, 1e-6);
+  EXPECT_LT(flat.json()["unfold"]["strain"]["max"].get<double>(), 1e-9);
+}
+
+TEST_F(Panels, SayWhatThePiecesNeed) {
+  const CliResult result =
+      planish({"panels", "dome.obj", "--max-rms-strain", "2%", "--prefer-cuts", "short"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("every piece keeps the limit of strain"));
+  EXPECT_THAT(result.out, HasSubstr("planish flatten dome.obj --cut auto"));
+  EXPECT_THAT(result.err, HasSubstr("dome.obj: 1 piece"));  // told as it was found
+}
+
+TEST_F(Panels, AreWhatFlattenMakesOfAClosedSurface) {
+  const Names rest = {"--formats", "svg", "--json"};
+  const auto flatten = [&](Names args) {
+    args.insert(args.end(), rest.begin(), rest.end());
+    return planish(args);
+  };
+  const CliResult unasked = flatten({"flatten", "box.obj", "-o", "unasked"});
+  ASSERT_EQ(unasked.exit_code, k_exit_done) << unasked.err;
+  EXPECT_THAT(unasked.err, HasSubstr("the surface is closed; it is divided, as by --cut auto"));
+  const CliResult asked = flatten({"flatten", "box.obj", "-o", "asked", "--cut", "auto"});
+  ASSERT_EQ(asked.exit_code, k_exit_done) << asked.err;
+  EXPECT_THAT(asked.err, HasSubstr("--cut auto: 1 piece, 14.0 mm of seam"));
+  EXPECT_EQ(asked.json()["unfold"]["strain"], unasked.json()["unfold"]["strain"]);
+}
+
+TEST_F(Panels, OfAStoppedSearchAreTheBestSoFar) {
+  // The first answer is told by a line, at whose end the user asks to stop.
+  class StoppingBuffer : public std::stringbuf {
+   public:
+    explicit StoppingBuffer(std::atomic<bool>& flag) : flag_(flag) {}
+
+   protected:
+    std::streamsize xsputn(const char* text, std::streamsize count) override {
+      if (std::string_view(text, static_cast<std::size_t>(count)).find("of seam") !=
+          std::string_view::npos)
+        flag_ = true;
+      return std::stringbuf::xsputn(text, count);
+    }
+
+   private:
+    std::atomic<bool>& flag_;
+  };
+  std::atomic<bool> stop = false;
+  StoppingBuffer buffer(stop);
+  std::ostream err(&buffer);
+  std::ostringstream out;
+  const Names args = {"panels", "dome.obj", "-o", "lines.obj", "--effort", "1000"};
+  EXPECT_EQ(run(args, out, err, {.interrupted = &stop}), k_exit_done) << buffer.str();
+  EXPECT_TRUE(stop);
+  EXPECT_THAT(buffer.str(), HasSubstr("the search was stopped"));
+  EXPECT_TRUE(std::filesystem::exists("lines.obj"));
+}
+
+TEST_F(Panels, RefuseWhatTheyCannotDo) {
+  const auto refused = [](const Names& args) {
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_usage) << result.err;
+    return result.err;
+  };
+  EXPECT_THAT(refused({"panels", "box.obj", "--effort", "0"}), HasSubstr("--effort"));
+  EXPECT_THAT(refused({"panels", "box.obj", "--prefer-cuts", "long"}), HasSubstr("few"));
+  EXPECT_THAT(refused({"panels", "box.obj", "-o", "lines.txt"}), HasSubstr("lines.txt"));
+  EXPECT_THAT(refused({"flatten", "box.obj", "--symmetric", "x=0", "--cut", "auto"}),
+              HasSubstr("does not go with --cut auto"));
+}
+
+}  // namespace
+}  // namespace planish::cli

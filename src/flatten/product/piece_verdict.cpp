@@ -134,7 +134,7 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
   return checks;
 }
 
-std::string product_verdict(const ProductReport& report) {
+EdgeStrain largest_strain(const ProductReport& report) {
   constexpr std::array k_figures = {&EdgeStrain::max,
                                     &EdgeStrain::rms,
                                     &EdgeStrain::p99,
@@ -143,23 +143,31 @@ std::string product_verdict(const ProductReport& report) {
                                     &EdgeStrain::max_compression,
                                     &EdgeStrain::p99_compression};
   EdgeStrain most;
+  for (const PatchResult& piece : report.patches) {
+    if (!piece.finished) continue;
+    for (double EdgeStrain::*figure : k_figures)
+      most.*figure = std::max(most.*figure, piece.finished->unfold.strain.*figure);
+  }
+  return most;
+}
+
+std::string product_verdict(const ProductReport& report) {
   const PatchResult* worst = nullptr;
   bool has_limits = false, is_changed = false;
   for (const PatchResult& piece : report.patches) {
     if (!piece.finished) continue;
-    const EdgeStrain& strain = piece.finished->unfold.strain;
     const std::vector<LimitCheck>& limits = piece.finished->limits;
     has_limits = has_limits || std::any_of(limits.begin(), limits.end(), [](const auto& limit) {
                    return is_of_strain(limit.what);
                  });
     is_changed = is_changed || piece.finished->deviation.max != 0.0;
-    if (worst == nullptr || strain.p99 > most.p99) worst = &piece;
-    for (double EdgeStrain::*figure : k_figures)
-      most.*figure = std::max(most.*figure, strain.*figure);
+    const double p99 = piece.finished->unfold.strain.p99;
+    if (worst == nullptr || p99 > worst->finished->unfold.strain.p99) worst = &piece;
   }
   if (worst == nullptr) return {};
   std::string form = is_changed ? "" : "No form was changed.";
   if (has_limits) return form;
+  const EdgeStrain most = largest_strain(report);
   const std::string sheet = is_too_small_to_measure(most)
                                 ? "Every piece lies flat but for a stretch too small to measure"
                                 : sheet_needed_text(most) + ". " + worst->name +

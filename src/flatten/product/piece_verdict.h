@@ -19,6 +19,9 @@ struct PieceCheck {
 /// has comes first. Empty where nothing was asked for and nothing is wrong.
 std::vector<PieceCheck> piece_checks(const PatchResult& piece);
 
+/// Of each figure the largest of all finished pieces.
+EdgeStrain largest_strain(const ProductReport& report);
+
 /// What sheet takes all finished pieces, where no limit of strain was given, which piece needs
 /// most, and whether no form was changed. Plain UTF-8 text, sentences; empty where there is nothing
 /// to say.

@@ -140,6 +140,21 @@ class PatchWork {
   std::function<bool()> stopped_;
 };
 
+/// As PatchResult has it. What an earlier run kept may be of another mesh: none then.
+std::vector<Vec3> design_of(const FinishedPatch& piece, const TriMesh& input) {
+  const std::size_t count = piece.processed.positions.size(), all = input.positions.size();
+  if (piece.deviation.max == 0.0) return {};
+  if (piece.source.empty()) return count == all ? input.positions : std::vector<Vec3>();
+  const bool are_there =
+      std::all_of(piece.source.begin(), piece.source.end(), [all](Index v) { return v < all; });
+  if (piece.source.size() != count || !are_there) return {};
+  std::vector<Vec3> design;
+  design.reserve(piece.source.size());
+  for (const Index v : piece.source)
+    design.push_back(input.positions[v]);
+  return design;
+}
+
 /// One run over a product.
 class ProductWork {
  public:
@@ -151,6 +166,7 @@ class ProductWork {
       const TriMesh& mesh = patch.mesh;
       report_.patches.push_back({patch.name, mesh.positions.size(), mesh.triangles.size()});
       report_.patches.back().words = patch.words;
+      report_.patches.back().group = patch.group;
     }
     find_alike();
     borders_ = borders_of_patches();
@@ -255,6 +271,7 @@ class ProductWork {
     result.failure = std::move(made.failure);
     if (!result.finished && !result.failure) throw Cancelled();
     if (callbacks_.on_done) callbacks_.on_done(p, result);
+    if (result.finished) result.design = design_of(*result.finished, patches_[p].mesh);
     const auto all = static_cast<double>(patches_.size());
     report_progress(context_, {"flattening", static_cast<double>(++done_) / all, result.name});
   }
@@ -329,7 +346,8 @@ FinishedPatch finished_patch(const FlattenReport& report) {
                       limit_checks(report),
                       find_form_faults(report.evolve),
                       cautions_text(report.cautions, report.unfold.unit),
-                      not_judged_text(report)};
+                      not_judged_text(report),
+                      report.source};
   patch.unfold.pattern.unmatched_least_stretch.clear();
   patch.unfold.pattern.least_stretch.clear();
   return patch;

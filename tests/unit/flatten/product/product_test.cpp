@@ -438,6 +438,45 @@ TEST(FlattenProduct, RefusesWhatNamesTheVerticesOfOneMesh) {
   }
 }
 
+TEST(FlattenProduct, KeepsTheDesignOfPiecesThatMoved) {
+  const std::vector<ProductPatch> patches = strips();
+  const ProductReport report = flatten_product(patches, quick());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_EQ(report.patches[p].design, patches[p].mesh.positions);
+    EXPECT_NE(report.patches[p].finished->processed.positions, report.patches[p].design);
+  }
+  ProductOptions still = quick();
+  still.flatten.stopping = Stopping{.max_sweeps = 0};
+  for (const PatchResult& piece : flatten_product(patches, still).patches)
+    EXPECT_TRUE(piece.design.empty()) << "none moved";
+}
+
+TEST(FlattenProduct, KeepsTheDesignOfTheVerticesThatRemeshingLeaves) {
+  std::vector<ProductPatch> patches;
+  patches.push_back({"dense", make_shape("dome", 9000)});
+  ProductOptions options = quick();
+  options.flatten.remesh = true;
+  const ProductReport report = flatten_product(patches, options);
+  const PatchResult& piece = report.patches.front();
+  const std::vector<Index>& source = piece.finished->source;
+  ASSERT_EQ(source.size(), piece.finished->processed.positions.size());
+  ASSERT_LT(source.size(), patches[0].mesh.positions.size());
+  ASSERT_EQ(piece.design.size(), source.size());
+  double moved = 0.0;
+  for (std::size_t v = 0; v < source.size(); ++v) {
+    EXPECT_EQ(piece.design[v], patches[0].mesh.positions[source[v]]);
+    moved = std::max(moved, norm(piece.design[v] - piece.finished->processed.positions[v]));
+  }
+  EXPECT_GT(moved, 0.0);
+  // An earlier run may have kept what is of no use.
+  FinishedPatch earlier = *piece.finished;
+  earlier.source.back() = 1'000'000;
+  const ProductReport resumed = flatten_product(
+      patches, options, {.earlier = [&](auto&&...) { return std::optional(earlier); }});
+  EXPECT_TRUE(resumed.patches.front().resumed);
+  EXPECT_TRUE(resumed.patches.front().design.empty());
+}
+
 TEST(FlattenProduct, IsOfNothingWhereThereIsNothing) {
   const ProductReport report = flatten_product({}, quick());
   EXPECT_TRUE(report.patches.empty());

@@ -62,8 +62,29 @@ function build() {
     view.color({ values: [column, column], map: 'grey', limit: 1, isSigned: false });
     return view;
   };
+  // The square in one state, as two pieces that go to the left and to the right, with a line along each.
+  const openPieces = () => {
+    const of = Uint16Array.from({ length: side * side }, (_, v) => Number(v % side > side / 2));
+    const line = (x) => Uint32Array.from({ length: side }, (_, y) => x + side * y);
+    const pieces = {
+      of,
+      ways: Float32Array.of(-6, 0, 0, 6, 0, 0),
+      colors: [[230, 120, 120], [120, 120, 230]],
+      lines: [10, 11].map((x, i) => ({ number: 7 + i, vertices: line(x) })),
+    };
+    const inOne = patch.triangles.filter((_, i) => {
+      const [a, b, c] = patch.triangles.subarray(3 * Math.floor(i / 3)).map((v) => of[v]);
+      return a === b && a === c;
+    });
+    const one = { ...patch, triangles: inOne, positions: patch.positions.slice(0, 1), shown: 0, pieces };
+    const view = new viewer.PatchView(viewer.spaceCanvas(), one, listener, { what: 'Product' });
+    document.getElementById('room').append(view.root);
+    view.plain();
+    view.paintLines([[200, 0, 0], [0, 0, 200]], [255, 255, 255]);
+    return view;
+  };
   const openPattern = () => new viewer.PatternView(document.querySelector('svg'), places(1), listener);
-  Object.assign(window, { side, heights, patch, places, calls, open, openPattern });
+  Object.assign(window, { side, heights, patch, places, calls, open, openPieces, openPattern });
 }
 
 const url = (() => {
@@ -221,6 +242,59 @@ test('the view of a pattern follows its positions', async () => {
     await page.mouse.click(box.x + pixel * 10.5, box.y + pixel * 6);
     assert.deepEqual((await inPage(page, () => calls)).at(-1), ['clicked', vertex]);
     assert.deepEqual(await hover(38, 38), ['hovered', -1]);
+  });
+});
+
+test('pieces go apart along their ways, with their vertices and lines, and all stay in the picture', async () => {
+  await withPage(async (page) => {
+    await page.evaluate(() => void (window.view = window.openPieces()));
+    await page.waitForSelector('.view[data-ready]');
+    const together = await picture(page);
+    const vertex = (x, y) => x + 21 * y;
+    const placed = (v) => inPage(page, `Array.from(view.places(1).slice(3 * ${v}, 3 * ${v} + 2))`);
+    const size = () => inPage(page, () => 1 / view.scene.pixel());
+    const near = { left: await placed(vertex(3, 5)), right: await placed(vertex(17, 5)), size: await size() };
+    assert.ok(Math.abs(near.right[0] - near.left[0] - 14 * near.size) < 0.01);
+    await inPage(page, () => view.moveApart(0.5));
+    const far = { left: await placed(vertex(3, 5)), right: await placed(vertex(17, 5)), size: await size() };
+    assert.ok(Math.abs(far.right[0] - far.left[0] - (14 + 2 * 0.5 * 6) * far.size) < 0.01, JSON.stringify(far));
+    assert.ok(far.size < near.size, 'they are smaller, as there is more to see');
+    assert.ok(groundIn(await picture(page)) > groundIn(together), 'there is a gap between them');
+    const box = await page.locator('.view').boundingBox();
+    await page.mouse.move(box.x + far.right[0], box.y + far.right[1]);
+    assert.deepEqual((await inPage(page, () => calls)).at(-1), ['hovered', vertex(17, 5)]);
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    assert.deepEqual((await inPage(page, () => calls)).at(-1), ['hovered', -1], 'in the gap');
+    await inPage(page, () => view.moveApart(0));
+    assert.equal(shareChanged(together, await picture(page)), 0);
+  });
+});
+
+test('a piece that is chosen stands out, and lines have their colours', async () => {
+  await withPage(async (page) => {
+    await page.evaluate(() => void (window.view = window.openPieces()));
+    await page.waitForSelector('.view[data-ready]');
+    const { width, height, channels, pixels } = decodePng(await picture(page));
+    const count = (is) => {
+      let all = 0;
+      for (let i = 0; i < pixels.length; i += channels) all += Number(is(pixels[i], pixels[i + 1], pixels[i + 2]));
+      return all / (width * height);
+    };
+    assert.ok(count((r, g, b) => r > 180 && g < 20 && b < 20) > 0.002, 'the red line');
+    assert.ok(count((r, g, b) => b > 180 && g < 20 && r < 20) > 0.002, 'the blue line');
+    const all = await picture(page);
+    await inPage(page, () => view.choose(1));
+    const chosen = await picture(page);
+    const changed = shareChanged(all, chosen);
+    assert.ok(changed > 0.2 && changed < 0.6, `the other one only: ${changed}`);
+    await inPage(page, () => view.choose(-1));
+    assert.equal(shareChanged(all, await picture(page)), 0);
+    const { geometries, textures } = await inPage(page, () => {
+      const { info } = view.scene.renderer;
+      view.dispose();
+      return { ...info.memory };
+    });
+    assert.deepEqual({ geometries, textures }, { geometries: 0, textures: 0 }, 'freed');
   });
 });
 

@@ -5,7 +5,6 @@ import {
   BufferGeometry,
   DataTexture,
   DoubleSide,
-  LineBasicMaterial,
   LineSegments,
   LinearFilter,
   Matrix4,
@@ -17,7 +16,15 @@ import {
   WebGLRenderer,
 } from 'three';
 
-import { rounding } from './figures.js';
+import { NumberedLines } from './numbered_lines.js';
+import { attributesOf, borderOf, framing, geometryOf } from './patch_geometry.js';
+import {
+  contourFragmentShader,
+  fragmentShader,
+  ghostFragmentShader,
+  ghostVertexShader,
+  vertexShader,
+} from './shaders.js';
 
 /**
  * Three unit vectors at right angles, in the space of the model.
@@ -28,13 +35,30 @@ import { rounding } from './figures.js';
  */
 
 /**
+ * A line along the border of a piece.
+ * @typedef {object} NumberedLine
+ * @property {Uint32Array} vertices along it, two or more
+ * @property {number} number that is written at its middle
+ */
+
+/**
+ * The pieces that a patch consists of, each in one colour. They can be moved apart.
+ * @typedef {object} Pieces
+ * @property {Uint16Array} of the number of the piece of each vertex, from 0
+ * @property {Float32Array} ways x, y, z by piece: where it goes when pieces are one unit apart; model units
+ * @property {import('./color_scale.js').Color[]} colors by piece
+ * @property {NumberedLine[]} lines
+ */
+
+/**
  * A mesh whose vertices have one position in each state.
  * @typedef {object} Patch
  * @property {Float32Array[]} positions x, y, z of all vertices, by state; model units
  * @property {Uint16Array | Uint32Array} triangles three vertices each
  * @property {Viewpoint} view from where it is seen at first
- * @property {number} shown the state that is shown beside state 0 at first
+ * @property {number} shown the state that is shown beside state 0 at first; 0 where there is one state only
  * @property {Map<string, Uint8Array>} maps colour maps by name, red, green and blue from low to high
+ * @property {Pieces} [pieces] of a patch that consists of several
  */
 
 /**
@@ -49,7 +73,7 @@ import { rounding } from './figures.js';
  */
 
 /**
- * How two states are shown: each in a half of its own; the whole picture of both, cut by a split;
+ * How two states are shown, where there are two: each in a half of its own; the whole picture of both, cut by a split;
  * or one through the other.
  * @typedef {'beside' | 'split' | 'overlay'} Arrangement
  */
@@ -72,67 +96,6 @@ import { rounding } from './figures.js';
  * @property {Rectangle} clip what of that is seen
  */
 
-const vertexShader = `
-attribute float value;
-varying float shown;
-varying vec3 facing;
-void main() {
-  shown = value;
-  facing = normalMatrix * normal;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-}`;
-
-// Light comes from over the shoulder and both sides of the patch are lit alike.
-const fragmentShader = `
-uniform sampler2D colors;
-uniform float limit;
-uniform bool bothWays;
-uniform bool isBounded;
-uniform vec3 beyond;
-uniform bool isPlain;
-uniform bool hasStripes;
-varying float shown;
-varying vec3 facing;
-void main() {
-  float share = clamp(shown / limit, -1.0, 1.0);
-  float place = bothWays ? 0.5 + 0.5 * share : abs(share);
-  vec3 color = texture2D(colors, vec2(place * 0.992 + 0.004, 0.5)).rgb;
-  if (isBounded && abs(shown) > limit * (1.0 + ${rounding})) color = beyond;
-  vec3 normal = normalize(facing);
-  normal *= sign(normal.z + 1e-6);
-  float light = 0.5 + 0.5 * clamp(dot(normal, vec3(0.28, 0.38, 0.88)), 0.0, 1.0);
-  if (isPlain) {
-    color = gl_FrontFacing ? vec3(0.86, 0.835, 0.79) : vec3(0.66, 0.68, 0.72);
-    float key = clamp(dot(normal, vec3(-0.46, 0.56, 0.69)), 0.0, 1.0);
-    light = 0.43 + 0.09 * normal.y + 0.54 * key;
-  }
-  if (hasStripes) {
-    // What a wall of straight lamps looks like in a polished surface.
-    float place = 7.0 * dot(2.0 * normal.z * normal, vec3(0.34, 0.94, 0.0));
-    float soft = max(fwidth(place), 1e-4);
-    float stripe = smoothstep(-soft, soft, abs(fract(place) - 0.5) - 0.25);
-    color = mix(vec3(0.10, 0.11, 0.13), isPlain ? vec3(0.97) : color, stripe);
-    light = 0.45 + 0.55 * light;
-  }
-  gl_FragColor = vec4(color * light, 1.0);
-}`;
-
-// The design over the result that is drawn solid.
-const ghostVertexShader = `
-varying vec3 facing;
-void main() {
-  facing = normalMatrix * normal;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-}`;
-
-const ghostFragmentShader = `
-varying vec3 facing;
-void main() {
-  float edge = 1.0 - abs(normalize(facing).z);
-  gl_FragColor = vec4(0.0, 0.40, 0.72, 0.26 + 0.44 * edge * edge);
-}`;
-const ghostLine = 0x00457c;
-
 const margin = 1.12; // of the picture over the patch
 const worthStacking = 1.3; // how much larger it must be one above the other than side by side
 
@@ -147,77 +110,6 @@ function textureOf(map) {
   return texture;
 }
 
-/**
- * What a picture of all states must hold: the middle of what is seen of them, half of its sizes
- * along right and up, and how far anything is from there at most.
- * @param {Float32Array[]} states
- * @param {Vector3} right
- * @param {Vector3} up
- */
-function framing(states, right, up) {
-  const low = new Vector3(Infinity, Infinity, Infinity);
-  const high = low.clone().negate();
-  const point = new Vector3();
-  for (const positions of states) {
-    for (let i = 0; i < positions.length; i += 3) {
-      point.fromArray(positions, i);
-      low.min(point);
-      high.max(point);
-    }
-  }
-  const middle = low.clone().add(high).multiplyScalar(0.5);
-  const seen = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
-  for (const positions of states) {
-    for (let i = 0; i < positions.length; i += 3) {
-      point.fromArray(positions, i).sub(middle);
-      const [x, y] = [point.dot(right), point.dot(up)];
-      seen.left = Math.min(seen.left, x);
-      seen.right = Math.max(seen.right, x);
-      seen.bottom = Math.min(seen.bottom, y);
-      seen.top = Math.max(seen.top, y);
-    }
-  }
-  middle.addScaledVector(right, 0.5 * (seen.left + seen.right));
-  middle.addScaledVector(up, 0.5 * (seen.bottom + seen.top));
-  return {
-    middle,
-    width: 0.5 * (seen.right - seen.left),
-    height: 0.5 * (seen.top - seen.bottom),
-    radius: low.distanceTo(high),
-  };
-}
-
-/**
- * The edges that only one triangle has, two vertices each.
- * @param {ArrayLike<number>} triangles three vertices each
- */
-function borderOf(triangles) {
-  /** @type {Map<string, number[]>} */
-  const edges = new Map();
-  for (let t = 0; t < triangles.length; t += 3) {
-    for (let i = 0; i < 3; ++i) {
-      const [a, b] = [triangles[t + i], triangles[t + ((i + 1) % 3)]];
-      const key = a < b ? `${a} ${b}` : `${b} ${a}`;
-      if (!edges.delete(key)) edges.set(key, [a, b]);
-    }
-  }
-  return [...edges.values()].flat();
-}
-
-/**
- * The mesh of one state, which keeps its own copy of the positions.
- * @param {Float32Array} positions
- * @param {BufferAttribute} index
- */
-function geometryOf(positions, index) {
-  const geometry = new BufferGeometry();
-  geometry.setIndex(index);
-  geometry.setAttribute('position', new BufferAttribute(positions.slice(), 3));
-  geometry.setAttribute('value', new BufferAttribute(new Float32Array(positions.length / 3), 1));
-  geometry.computeVertexNormals();
-  return geometry;
-}
-
 export class PatchScene {
   /**
    * @param {HTMLCanvasElement} canvas
@@ -229,9 +121,10 @@ export class PatchScene {
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.autoClear = false;
     this.camera = new OrthographicCamera();
-    this.right = new Vector3().fromArray(patch.view.right);
-    this.up = new Vector3().fromArray(patch.view.up);
-    this.home = new Matrix4().makeBasis(this.right, this.up, new Vector3().fromArray(patch.view.towards));
+    this.right = new Vector3();
+    this.up = new Vector3();
+    this.home = new Matrix4();
+    this.lookFrom(patch.view);
     this.textures = new Map([...patch.maps].map(([name, map]) => [name, textureOf(map)]));
     /** The share of the width left of the split, 0 to 1. */
     this.split = 0.5;
@@ -252,17 +145,32 @@ export class PatchScene {
       beyond: { value: new Vector3() },
       isPlain: { value: false },
       hasStripes: { value: false },
+      apart: { value: 0 },
+      chosen: { value: -1 },
     };
     /** @type {Scene | null} the first state as a ghost, made when it is first needed */
     this.ghost = null;
     this.triangles = patch.triangles;
-    this.material = new ShaderMaterial({ vertexShader, fragmentShader, side: DoubleSide, uniforms: this.uniforms });
+    const { pieces } = patch;
+    this.pieces = pieces;
+    /** @type {Record<string, string>} */
+    this.defines = pieces ? { PIECES: '' } : {};
+    this.material = new ShaderMaterial({
+      vertexShader,
+      fragmentShader,
+      side: DoubleSide,
+      uniforms: this.uniforms,
+      defines: this.defines,
+    });
     const index = new BufferAttribute(patch.triangles, 1);
-    this.geometries = patch.positions.map((positions) => geometryOf(positions, index));
-    this.scenes = this.geometries.map((geometry) => {
+    const shared = pieces ? attributesOf(pieces) : [];
+    this.geometries = patch.positions.map((positions) => geometryOf(positions, index, shared));
+    const { apart, chosen } = this.uniforms;
+    this.lines = pieces?.lines.length ? new NumberedLines(pieces, patch.positions, { apart, chosen }) : null;
+    this.scenes = this.geometries.map((geometry, state) => {
       const mesh = new Mesh(geometry, this.material);
       mesh.frustumCulled = false;
-      return new Scene().add(mesh);
+      return new Scene().add(mesh, ...(this.lines?.parts[state] ?? []));
     });
     this.frame = this.framed();
     this.target = this.frame.middle.clone();
@@ -271,7 +179,45 @@ export class PatchScene {
   }
 
   framed() {
-    return framing(this.geometries.map((_, state) => this.positions(state)), this.right, this.up);
+    return framing(this.geometries.map((_, state) => this.places(state)), this.right, this.up);
+  }
+
+  /**
+   * Where the vertices of a state are drawn: with their pieces apart.
+   * @param {number} state
+   */
+  places(state) {
+    const positions = this.positions(state);
+    const apart = this.uniforms.apart.value;
+    if (!this.pieces || apart === 0) return positions;
+    const { of, ways } = this.pieces;
+    return positions.map((place, i) => place + apart * ways[3 * of[Math.floor(i / 3)] + (i % 3)]);
+  }
+
+  /**
+   * Moves pieces apart. All stay in the picture, as near as they were, and what was in its middle stays there.
+   * @param {number} apart 0: in their places
+   */
+  moveApart(apart) {
+    this.uniforms.apart.value = apart;
+    const { middle } = this.frame;
+    this.frame = this.framed();
+    this.target.add(this.frame.middle).sub(middle);
+  }
+
+  /** @param {number} piece all others fade; -1: none does */
+  choose(piece) {
+    this.uniforms.chosen.value = piece;
+  }
+
+  /**
+   * Says from where the patch is seen when it is reset.
+   * @param {Viewpoint} view
+   */
+  lookFrom({ right, up, towards }) {
+    this.right.fromArray(right);
+    this.up.fromArray(up);
+    this.home.makeBasis(this.right, this.up, new Vector3().fromArray(towards));
   }
 
   /**
@@ -297,11 +243,13 @@ export class PatchScene {
     attribute.array.set(positions);
     attribute.needsUpdate = true;
     geometry.computeVertexNormals();
+    this.lines?.place(state, positions);
     // Nothing may be cut off where the patch has grown.
     const { middle } = this.frame;
+    const places = this.places(state);
     const point = new Vector3();
-    for (let i = 0; i < positions.length; i += 3) {
-      this.frame.radius = Math.max(this.frame.radius, point.fromArray(positions, i).distanceTo(middle));
+    for (let i = 0; i < places.length; i += 3) {
+      this.frame.radius = Math.max(this.frame.radius, point.fromArray(places, i).distanceTo(middle));
     }
   }
 
@@ -345,8 +293,13 @@ export class PatchScene {
     this.uniforms.limit.value = limit;
   }
 
+  /** Whether there is one state only, and so one picture. */
+  get isSingle() {
+    return this.geometries.length === 1;
+  }
+
   /**
-   * How high a view of this width should be for two pictures, and whether these should stand one
+   * How high a view of this width should be for its pictures, and whether these should stand one
    * above the other.
    * @param {number} width pixels
    * @param {number} least height
@@ -360,6 +313,7 @@ export class PatchScene {
       const height = Math.round(Math.min(most, Math.max(least, wanted)));
       return { height, size: Math.min(width / columns / frame.width, height / rows / frame.height) };
     };
+    if (this.isSingle) return { isStacked: false, height: fit(1, 1).height };
     const beside = fit(2, 1);
     const stacked = fit(1, 2);
     return stacked.size > worthStacking * beside.size
@@ -375,7 +329,7 @@ export class PatchScene {
     const { width, height } = this;
     const [before, after] = this.shown;
     const whole = { left: 0, top: 0, width, height };
-    if (this.arrangement === 'overlay') return [{ side: 1, state: after, port: whole, clip: whole }];
+    if (this.arrangement === 'overlay' || this.isSingle) return [{ side: 1, state: after, port: whole, clip: whole }];
     /** @type {(at: number, isStacked: boolean) => Rectangle[]} */
     const parts = (at, isStacked) =>
       isStacked
@@ -435,11 +389,12 @@ export class PatchScene {
     for (const { state, port, clip } of this.panes()) {
       if (clip.width <= 0 || clip.height <= 0) continue;
       this.place(port);
+      this.lines?.port.set(port.width, port.height);
       renderer.setViewport(port.left, this.height - port.top - port.height, port.width, port.height);
       renderer.setScissor(clip.left, this.height - clip.top - clip.height, clip.width, clip.height);
       renderer.render(this.scenes[state], camera);
     }
-    if (this.arrangement === 'overlay') renderer.render(this.ghostScene(), camera);
+    if (this.arrangement === 'overlay' && !this.isSingle) renderer.render(this.ghostScene(), camera);
   }
 
   // The first state, seen through, with its contour.
@@ -448,6 +403,8 @@ export class PatchScene {
     const skin = new ShaderMaterial({
       vertexShader: ghostVertexShader,
       fragmentShader: ghostFragmentShader,
+      uniforms: { apart: this.uniforms.apart },
+      defines: this.defines,
       side: DoubleSide,
       transparent: true,
       depthWrite: false,
@@ -456,9 +413,15 @@ export class PatchScene {
       polygonOffsetUnits: 4,
     });
     const contour = new BufferGeometry();
-    contour.setAttribute('position', this.geometries[0].getAttribute('position'));
+    contour.attributes = { ...this.geometries[0].attributes };
     contour.setIndex(borderOf(this.triangles));
-    const line = new LineBasicMaterial({ color: ghostLine, depthTest: false });
+    const line = new ShaderMaterial({
+      vertexShader: ghostVertexShader,
+      fragmentShader: contourFragmentShader,
+      uniforms: { apart: this.uniforms.apart },
+      defines: this.defines,
+      depthTest: false,
+    });
     const parts = [new Mesh(this.geometries[0], skin), new LineSegments(contour, line)];
     for (const part of parts) part.frustumCulled = false;
     this.ghost = new Scene().add(...parts);
@@ -488,7 +451,7 @@ export class PatchScene {
       this.camera.projectionMatrix,
       this.camera.matrixWorldInverse,
     );
-    const positions = this.positions(state);
+    const positions = this.places(state);
     const places = new Float32Array(positions.length);
     const point = new Vector3();
     for (let i = 0; i < positions.length; i += 3) {
@@ -503,6 +466,7 @@ export class PatchScene {
   /** Frees what the scene has on the graphics card; it cannot be drawn again. */
   dispose() {
     for (const geometry of this.geometries) geometry.dispose();
+    this.lines?.dispose();
     this.ghost?.traverse((part) => {
       if (!(part instanceof Mesh || part instanceof LineSegments)) return;
       part.geometry.dispose();

@@ -8,7 +8,9 @@ import { Turning } from './turning.js';
 
 /** @typedef {import('./patch_scene.js').Arrangement} Arrangement */
 /** @typedef {import('./patch_scene.js').Coloring} Coloring */
+/** @typedef {import('./color_scale.js').Color} Color */
 /** @typedef {import('./patch_scene.js').Patch} Patch */
+/** @typedef {import('./patch_scene.js').Viewpoint} Viewpoint */
 
 /**
  * What a view calls.
@@ -33,8 +35,9 @@ export class PatchView {
    * @param {{canvas: HTMLCanvasElement, context: WebGL2RenderingContext}} space of `spaceCanvas()`
    * @param {Patch} patch
    * @param {VertexListener} listener
+   * @param {{what?: string, tags?: string[]}} [words] what is seen, and what it is called before and after
    */
-  constructor({ canvas, context }, patch, listener) {
+  constructor({ canvas, context }, patch, listener, { what = 'Patch', tags = ['before', 'after'] } = {}) {
     this.canvas = canvas;
     this.triangles = patch.triangles;
     this.marked = -1;
@@ -48,12 +51,14 @@ export class PatchView {
     this.waiting = 0;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
-    canvas.setAttribute('aria-label', 'Patch in space. Arrow keys turn it, plus and minus zoom, 0 resets.');
+    canvas.setAttribute('aria-label', `${what} in space. Arrow keys turn it, plus and minus zoom, 0 resets.`);
     this.slider = make('input', { type: 'range', className: 'split', min: 0, max: 100, step: 1, value: 50 });
     this.slider.setAttribute('aria-label', 'How much is shown as before');
     this.spot = make('div', { className: 'spot', hidden: true });
     this.spotBefore = make('div', { className: 'spot-before', hidden: true });
-    this.tags = ['before', 'after'].map((name) => make('span', { className: `tag ${name}`, textContent: name }));
+    this.tags = ['before', 'after'].map((side, i) =>
+      make('span', { className: `tag ${side}`, textContent: tags[i] }),
+    );
     const line = make('div', { className: 'split-line' });
     /** To be put into the page. */
     this.root = make(
@@ -66,8 +71,8 @@ export class PatchView {
       this.spot,
       this.slider,
     );
-    this.root.dataset.arrangement = 'split';
     this.scene = new PatchScene(canvas, context, patch);
+    this.root.dataset.arrangement = this.scene.isSingle ? 'single' : 'split';
     this.turning = new Turning(
       canvas,
       this.scene,
@@ -111,14 +116,45 @@ export class PatchView {
     this.moved();
   }
 
-  /** @param {Arrangement} arrangement */
+  /** @param {Arrangement} arrangement of two states */
   arrange(arrangement) {
     this.scene.arrangement = arrangement;
     this.root.dataset.arrangement = arrangement;
     this.moved();
   }
 
-  /** No colours: the form alone, as light shows it. */
+  /** @param {number} apart how far pieces are from their places, as parts of their ways; 0: in their places */
+  moveApart(apart) {
+    this.scene.moveApart(apart);
+    this.moved();
+  }
+
+  /** @param {number} piece all others fade; -1: none does */
+  choose(piece) {
+    this.scene.choose(piece);
+    this.redraw();
+  }
+
+  /**
+   * @param {Color[]} colors of the lines along pieces
+   * @param {Color} ground of their numbers
+   */
+  paintLines(colors, ground) {
+    this.scene.lines?.paint(colors, ground);
+    this.redraw();
+  }
+
+  /**
+   * Shows the whole from somewhere else, also when it is reset.
+   * @param {Viewpoint} view
+   */
+  lookFrom(view) {
+    this.scene.lookFrom(view);
+    this.reset();
+    this.fit();
+  }
+
+  /** No colours of figures: the form alone, as light shows it; pieces in their own. */
   plain() {
     this.scene.plain();
     this.redraw();

@@ -103,7 +103,7 @@ FOR_THE_PROGRAM = {
     "platform/memory.h",
     "platform/processors.h",
     "platform/path.h",
-    "report/page/page_script.h",
+    "report/page/page_assets.h",
     "platform/windows/wide.h",
     "report/json_parts.h",
     "report/several_files.h",

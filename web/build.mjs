@@ -35,7 +35,7 @@ for (let at = 0; at < script.length; at += longest) parts.push(script.slice(at, 
 const hash = createHash('sha256').update(script).digest('base64');
 writeFileSync(
   output,
-  `#include "report/page/page_script.h"
+  `#include "report/page/page_assets.h"
 
 namespace planish {
 

@@ -21,6 +21,9 @@
  * @property {[number, number, number]} beyond
  */
 
+/** @typedef {{bits: number, data: string}} PackedTriangles */
+/** @typedef {{names: string[], shown: number, low: number[], step: number[], positions: string[]}} PackedStates */
+
 /**
  * @typedef {object} PackedData
  * @property {string} unit
@@ -28,8 +31,8 @@
  * @property {number} of
  * @property {Viewpoint} view
  * @property {string} numbers
- * @property {{bits: number, data: string}} triangles
- * @property {{names: string[], shown: number, low: number[], step: number[], positions: string[]}} states
+ * @property {PackedTriangles} triangles
+ * @property {PackedStates} states
  * @property {PackedFigure[]} figures
  * @property {PackedLimit} [limit]
  * @property {Record<string, string>} maps
@@ -54,7 +57,7 @@
  */
 
 /** @param {string} text */
-function bytesOf(text) {
+export function bytesOf(text) {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
@@ -137,12 +140,24 @@ function figuresOf(packed) {
 }
 
 /**
+ * Positions of all vertices, by state.
+ * @param {PackedStates} states
+ */
+export function positionsOf({ positions, low, step }) {
+  return positions.map((text) => pointsOf(text, low, step));
+}
+
+/** @param {PackedTriangles} triangles */
+export function cornersOf({ bits, data }) {
+  return new (bits === 16 ? Uint16Array : Uint32Array)(bytesOf(data));
+}
+
+/**
  * @param {PackedData} packed
  * @returns {ReportData}
  */
 export function unpack(packed) {
   const { states, triangles, pattern } = packed;
-  const Indices = triangles.bits === 16 ? Uint16Array : Uint32Array;
   return {
     unit: 'mm',
     count: packed.vertices,
@@ -151,8 +166,8 @@ export function unpack(packed) {
     names: states.names,
     shown: states.shown,
     numbers: new Uint32Array(bytesOf(packed.numbers)),
-    triangles: new Indices(bytesOf(triangles.data)),
-    positions: states.positions.map((text) => pointsOf(text, states.low, states.step)),
+    triangles: cornersOf(triangles),
+    positions: positionsOf(states),
     figures: figuresOf(packed),
     maps: new Map(Object.entries(packed.maps).map(([name, text]) => [name, new Uint8Array(bytesOf(text))])),
     drawn: pattern ? pointsOf(pattern.positions, pattern.low, pattern.step) : null,

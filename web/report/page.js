@@ -6,21 +6,10 @@ import { isOfMove, namedFigures, worstOf } from '../viewer/figures.js';
 import { PatchView } from '../viewer/patch_view.js';
 import { PatternView } from '../viewer/pattern_view.js';
 import { addLayerSwitches } from './layers.js';
-import { Readout, Scale, arrangementChoice, figureChoice, toggle } from './panel.js';
+import { Readout, Scale, arrangementChoice, button, figureChoice, toggle, turningHint } from './panel.js';
 
 /** @typedef {import('../viewer/figures.js').NamedFigure} NamedFigure */
 /** @typedef {import('./data.js').ReportData} ReportData */
-
-/**
- * @param {string} text
- * @param {string} title
- * @param {() => void} action
- */
-function button(text, title, action) {
-  const made = make('button', { type: 'button', textContent: text, title });
-  made.addEventListener('click', action);
-  return made;
-}
 
 const heights = { least: 250, most: 440 }; // of the view, pixels
 
@@ -55,7 +44,7 @@ export class Page {
       figureChoice(this.figures, (figure) => this.choose(figure)),
       this.scale.root,
       this.readout.root,
-      this.hint(),
+      turningHint('tap to mark a place', 'click to keep a place marked (Escape lets it go)'),
       ...this.simplified(),
     );
     document.addEventListener('keydown', (event) => {
@@ -104,16 +93,6 @@ export class Page {
     select.value = String(shown);
     show(shown);
     return [make('label', { className: 'state' }, 'Method ', select)];
-  }
-
-  hint() {
-    return make('p', {
-      className: 'hint',
-      textContent: matchMedia('(pointer: coarse)').matches
-        ? 'A finger turns it, two move and zoom it; tap to mark a place.'
-        : 'Drag to turn, shift and drag to move, click to keep a place marked (Escape lets it go). ' +
-          'Wheel zooms after a click into the picture.',
-    });
   }
 
   simplified() {

@@ -19,9 +19,9 @@ function choice(name, title, options, chosen) {
   const group = make('fieldset', { className: `choice ${name}` });
   group.append(make('legend', { className: 'unseen', textContent: title }));
   options.forEach(({ value, text, title: words, item }, index) => {
-    const button = make('input', { type: 'radio', name, value, checked: index === 0 });
-    button.addEventListener('change', () => chosen(item));
-    group.append(make('label', { title: words }, button, make('span', { textContent: text })));
+    const radio = make('input', { type: 'radio', name, value, checked: index === 0 });
+    radio.addEventListener('change', () => chosen(item));
+    group.append(make('label', { title: words }, radio, make('span', { textContent: text })));
   });
   return group;
 }
@@ -62,6 +62,46 @@ const arrangements = [
 /** @param {(arrangement: Arrangement) => void} chosen */
 export function arrangementChoice(chosen) {
   return choice('arrangement', 'Show the two forms', arrangements, chosen);
+}
+
+/**
+ * Which axis of the model points up.
+ * @param {[string, import('../viewer/patch_scene.js').Viewpoint][]} views with the names of the axes
+ * @param {(view: import('../viewer/patch_scene.js').Viewpoint) => void} chosen
+ */
+export function upChoice(views, chosen) {
+  const options = views.map(([axis, view]) => ({
+    value: axis,
+    text: `${axis} up`,
+    title: `The ${axis} axis of the model points up`,
+    item: view,
+  }));
+  return choice('up', 'Which axis points up', options, chosen);
+}
+
+/**
+ * @param {string} text
+ * @param {string} title
+ * @param {() => void} action
+ */
+export function button(text, title, action) {
+  const made = make('button', { type: 'button', textContent: text, title });
+  made.addEventListener('click', action);
+  return made;
+}
+
+/**
+ * How to use a view.
+ * @param {string} tap what a tap of a finger does
+ * @param {string} click what a click does
+ */
+export function turningHint(tap, click) {
+  return make('p', {
+    className: 'hint',
+    textContent: matchMedia('(pointer: coarse)').matches
+      ? `A finger turns it, two move and zoom it; ${tap}.`
+      : `Drag to turn, shift and drag to move, ${click}. Wheel zooms after a click into the picture.`,
+  });
 }
 
 /**

@@ -16,7 +16,7 @@
 #include "platform/memory.h"
 #include "platform/path.h"
 #include "platform/processors.h"
-#include "report/page/page_script.h"
+#include "report/page/page_assets.h"
 #include "shell/session.h"
 #include "shell/text.h"
 

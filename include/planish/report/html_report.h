@@ -52,10 +52,10 @@ struct ProductPage {
   std::string on_sheets = {};        ///< what they are and how well they are used, plain text
 };
 
-/// What became of a product as a page without scripts: a tile for each piece, those that miss
-/// something first, with a picture of its surface, its outline with the seams in colour and
-/// numbered, what it is judged by and a link to its own report; below them the sheets and a table
-/// of the seams.
+/// What became of a product as such a page: all pieces together, which can be turned and moved
+/// apart; a tile for each piece, those that miss something first, with a picture of its surface,
+/// its outline with the seams in colour and numbered, what it is judged by and a link to its own
+/// report; below them the sheets and a table of the seams.
 std::string html_report(const ProductReport& report, const ProductPage& page);
 
 /// A comparison as such a page: the table of all methods, charts of energy, e_max and e_avg against

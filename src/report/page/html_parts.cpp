@@ -10,8 +10,7 @@
 #include "draw/base64.h"
 #include "draw/text/markup_text.h"
 #include "report/enumerator_name.h"
-#include "report/page/page_script.h"
-#include "report/page/page_style.h"
+#include "report/page/page_assets.h"
 
 namespace planish {
 

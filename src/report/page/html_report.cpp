@@ -22,7 +22,7 @@
 #include "report/page/figures_table.h"
 #include "report/page/html_parts.h"
 #include "report/page/html_viewer.h"
-#include "report/page/page_style.h"
+#include "report/page/page_assets.h"
 #include "sheet/limit_map.h"
 
 namespace planish {

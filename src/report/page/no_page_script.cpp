@@ -1,4 +1,4 @@
-#include "report/page/page_script.h"
+#include "report/page/page_assets.h"
 
 namespace planish {
 

@@ -12,13 +12,13 @@
 #include <planish/mesh/patch.h>
 #include <planish/sheet/pattern_sheet.h>
 
-#include <planish_json/json.h>
-
 #include "draw/base64.h"
 #include "draw/scale_limit.h"
 #include "measure/normals.h"
+#include "report/json_parts.h"
 #include "report/page/display_mesh.h"
 #include "report/page/packed_array.h"
+#include "report/page/page_json.h"
 #include "report/pictures/view.h"
 #include "sheet/limit_map.h"
 #include "unfold/strain/vertex_strain.h"
@@ -204,33 +204,14 @@ Json to_json(const VertexFigure& figure, const std::vector<Index>& source) {
           {"values", std::move(values)}};
 }
 
-Json to_json(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
-Json triangles_json(const DisplayMesh& shown) {
-  std::vector<Index> corners;
-  corners.reserve(3 * shown.triangles.size());
-  for (const Triangle& t : shown.triangles)
-    corners.insert(corners.end(), t.begin(), t.end());
-  const bool is_small = shown.source.size() <= 65536;
-  return {{"bits", is_small ? 16 : 32},
-          {"data", is_small ? packed_small_numbers(corners) : packed_numbers(corners)}};
-}
-
 Json states_json(const PageInput& input, const DisplayMesh& shown) {
   std::vector<std::vector<Vec3>> positions;
-  Json names = Json::array();
+  std::vector<std::string> names;
   for (const PageState& state : input.states) {
     positions.push_back(picked(std::span<const Vec3>(state.patch.positions()), shown.source));
     names.push_back(state.name);
   }
-  const PackedPoints packed = packed_points(std::span<const std::vector<Vec3>>(positions));
-  return {{"names", std::move(names)},
-          {"shown", input.shown},
-          {"low", packed.low},
-          {"step", packed.step},
-          {"positions", packed.data}};
+  return states_json(names, input.shown, positions);
 }
 
 Json drawn_json(const PageInput& input, const DisplayMesh& shown) {
@@ -285,11 +266,39 @@ std::string json_for_script(std::string json) {
   return json;
 }
 
+Json view_json(const View& view) {
+  return {{"right", view.right}, {"up", view.up}, {"towards", view.towards}};
+}
+
+Json triangles_json(std::span<const Triangle> triangles, std::size_t vertices) {
+  std::vector<Index> corners;
+  corners.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles)
+    corners.insert(corners.end(), t.begin(), t.end());
+  const bool is_small = vertices <= 65536;
+  return {{"bits", is_small ? 16 : 32},
+          {"data", is_small ? packed_small_numbers(corners) : packed_numbers(corners)}};
+}
+
+Json states_json(std::span<const std::string> names, std::size_t shown,
+                 std::span<const std::vector<Vec3>> positions) {
+  const PackedPoints packed = packed_points(positions);
+  return {{"names", std::vector<std::string>(names.begin(), names.end())},
+          {"shown", shown},
+          {"low", packed.low},
+          {"step", packed.step},
+          {"positions", packed.data}};
+}
+
+std::string data_element(const Json& json) {
+  return "<script type=\"application/json\" id=\"report-data\">" +
+         json_for_script(json_text(json, -1)) + "</script>\n";
+}
+
 std::string page_data(const PageInput& input) {
   const std::vector<VertexFigure> figures = figures_of(input);
   const std::size_t most = input.most_vertices > 0 ? input.most_vertices : usual_most(input);
   const DisplayMesh shown = display_mesh(input.patch(), most, worst_vertices(figures));
-  const View view = view_of(input.patch().mesh());
   Json modes = Json::array();
   for (const VertexFigure& figure : figures)
     modes.push_back(to_json(figure, shown.source));
@@ -297,16 +306,13 @@ std::string page_data(const PageInput& input) {
                {"unit", to_string(input.unit)},
                {"vertices", shown.source.size()},
                {"of", input.patch().vertex_count()},
-               {"view",
-                {{"right", to_json(view.right)},
-                 {"up", to_json(view.up)},
-                 {"towards", to_json(view.towards)}}},
+               {"view", view_json(view_of(input.patch().mesh()))},
                {"maps",
                 {{"diverging", map_bytes(ColorMap::diverging)},
                  {"sequential", map_bytes(ColorMap::sequential)},
                  {"paper", map_bytes(ColorMap::paper)}}},
                {"numbers", packed_numbers(numbers_of(input, shown))},
-               {"triangles", triangles_json(shown)},
+               {"triangles", triangles_json(shown.triangles, shown.source.size())},
                {"states", states_json(input, shown)},
                {"figures", std::move(modes)},
                {"pattern", drawn_json(input, shown)}};
@@ -314,8 +320,7 @@ std::string page_data(const PageInput& input) {
     json["limit"] = limit_json(*input.limit);
     json["maps"]["pale"] = map_bytes(ColorMap::pale);
   }
-  return "<script type=\"application/json\" id=\"report-data\">" +
-         json_for_script(json_text(json, -1)) + "</script>\n";
+  return data_element(json);
 }
 
 }  // namespace planish

@@ -19,7 +19,11 @@ constexpr std::size_t k_most_split_triangles = 200'000;
 }  // namespace
 
 PatchView::PatchView(const TriMesh& mesh, std::span<const std::span<const Vec3>> others, int width)
-    : mesh_(mesh), view_(view_of(mesh)), width_(width), height_(width) {
+    : PatchView(mesh, others, width, view_of(mesh)) {}
+
+PatchView::PatchView(const TriMesh& mesh, std::span<const std::span<const Vec3>> others, int width,
+                     const View& view)
+    : mesh_(mesh), view_(view), width_(width), height_(width) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};
   const auto include = [&](std::span<const Vec3> positions) {

@@ -10,13 +10,18 @@
 namespace planish {
 
 /// Draws surfaces with the triangles of one mesh alike: seen from one place, at one scale, in
-/// pictures of one size with a clear ground. The view is that of view_of() for the mesh itself.
+/// pictures of one size with a clear ground.
 class PatchView {
  public:
+  /// The view is that of view_of() for the mesh itself.
   /// @param mesh is kept by reference
   /// @param others more positions of its vertices that must be in the picture
   /// @param width of the pictures, pixels
   PatchView(const TriMesh& mesh, std::span<const std::span<const Vec3>> others, int width);
+
+  /// The same from where somebody else says.
+  PatchView(const TriMesh& mesh, std::span<const std::span<const Vec3>> others, int width,
+            const View& view);
 
   /// @param positions, colors one per vertex of the mesh
   Image picture(std::span<const Vec3> positions, std::span<const Color> colors) const;

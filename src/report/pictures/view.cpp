@@ -105,4 +105,13 @@ View view_of(const TriMesh& mesh) {
   return {to_vec(right), to_vec(towards.cross(right)), to_vec(towards)};
 }
 
+View standing_view(UpAxis up) {
+  constexpr double degree = std::numbers::pi / 180.0, turn = 28.0 * degree, lift = 22.0 * degree;
+  const auto axes = [up](Vec3 v) { return up == UpAxis::y ? v : Vec3{v.x, -v.z, v.y}; };
+  const double level = math::cos(lift);
+  const Vec3 towards = {level * math::sin(turn), math::sin(lift), level * math::cos(turn)};
+  const Vec3 right = {math::cos(turn), 0.0, -math::sin(turn)};
+  return {axes(right), axes(cross(towards, right)), axes(towards)};
+}
+
 }  // namespace planish

@@ -16,4 +16,11 @@ struct View {
 /// direction of least extent.
 View view_of(const TriMesh& mesh);
 
+/// Which axis of a model points up.
+enum class UpAxis { y, z };
+
+/// How a product stands before the eye: seen from its front, a little from the right and from
+/// above. The front of a model is towards z where y is up, against y where z is.
+View standing_view(UpAxis up);
+
 }  // namespace planish

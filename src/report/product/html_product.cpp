@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <planish/report/html_report.h>
@@ -12,33 +13,15 @@
 #include "flatten/twin_report.h"
 #include "flatten/verdict.h"
 #include "report/page/html_parts.h"
+#include "report/page/page_assets.h"
 #include "report/pictures/patch_view.h"
 #include "report/pictures/piece_outline.h"
 #include "report/pictures/sheet_picture.h"
+#include "report/product/whole_product.h"
 
 namespace planish {
 
 namespace {
-
-/// Beside that of all pages.
-constexpr std::string_view k_style = R"(
-.pieces > .lacking { border: 2px solid var(--worse); padding: 13px 17px 15px; }
-.pieces p + p { margin-top: 6px; font-size: 14px; }
-.sheets { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 380px), 1fr)); gap: 16px; }
-.sheet { display: block; width: 100%; max-height: 520px; padding: 10px; background: #fff; border-radius: 8px;
-         border: 1px solid var(--rule); }
-.sheet path { vector-effect: non-scaling-stroke; stroke-width: 1.3px; }
-.sheet text { font-size: var(--text); }
-.seams .swatch { width: 26px; height: 10px; }
-.seams th small { margin: 0; }
-.seams .swatch polyline { stroke-width: 6; stroke-dasharray: none; }
-.seams td.sewn, .seams th.sewn { text-align: left; white-space: normal; }
-@media screen and (max-width: 760px) {
-  .seams .swatch { width: 14px; margin-right: 4px; }
-  .seams th, .seams td { padding-left: 8px; }
-  section > .scroll > table.seams:not(.compare) th:first-child { width: auto; white-space: nowrap; }
-}
-)";
 
 /// As the start of a sentence.
 std::string capital(std::string text) {
@@ -134,13 +117,9 @@ std::string facts_of(const PatchResult& piece) {
 std::string tile_of(const ProductReport& report, std::size_t p, const std::string& link) {
   const PatchResult& piece = report.patches[p];
   const bool met = piece.outcome().usable();
-  const bool is_judged = !piece.finished || piece.finished->not_judged.empty();
   const std::string small = facts_of(piece);
-  const std::string mark = !met        ? "<span class=\"missed\">\u2717</span> "
-                           : is_judged ? "<span class=\"met\">\u2713</span> "
-                                       : "<span class=\"neutral\">\u2022</span> ";
-  return std::string("<li") + (met ? "" : " class=\"lacking\"") + ">" + views_of(report, p) +
-         "<h3>" + mark + escape_markup(piece.name) +
+  return "<li id=\"" + piece_anchor(p) + "\"" + (met ? "" : " class=\"lacking\"") + ">" +
+         views_of(report, p) + "<h3>" + piece_mark(piece) + escape_markup(piece.name) +
          (small.empty() ? "" : "<small>" + escape_markup(small) + "</small>") + "</h3><p>" +
          escape_markup(sentence_on(piece) + (piece.finished ? cost_of(*piece.finished) : "")) +
          "</p>" +
@@ -172,10 +151,11 @@ std::string seam_row(const ProductReport& report, std::size_t s) {
   };
   const std::string label =
       seam.name.empty() ? "" : "<small>" + escape_markup(seam.name) + "</small>";
-  return "<tr><th>" + swatch(s + 1) + std::to_string(s + 1) + label + "</th><td class=\"sewn\">" +
-         name(0) + " \u2013 " + name(1) + easing_note(report, seam) + "</td>" +
-         millimetres(seam.difference()) + millimetres(seam.on_model[0]) +
-         millimetres(seam.in_pattern[0]) + millimetres(seam.in_pattern[1]) + "</tr>\n";
+  return "<tr id=\"" + seam_anchor(s + 1) + "\"><th>" + swatch(s + 1) + std::to_string(s + 1) +
+         label + "</th><td class=\"sewn\">" + name(0) + " \u2013 " + name(1) +
+         easing_note(report, seam) + "</td>" + millimetres(seam.difference()) +
+         millimetres(seam.on_model[0]) + millimetres(seam.in_pattern[0]) +
+         millimetres(seam.in_pattern[1]) + "</tr>\n";
 }
 
 /// Borders that look like seams and are none.
@@ -285,9 +265,13 @@ std::string html_report(const ProductReport& report, const ProductPage& page) {
   std::string tiles = "<ol class=\"pieces\">\n";
   for (const std::size_t p : missed_first(report))
     tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
-  return html_page(
-      {.kind = "product", .name = page.name, .verdict = verdict_of(report), .style = k_style},
-      tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
+  WholeProduct whole = whole_product(report);
+  return html_page({.kind = "product",
+                    .name = page.name,
+                    .verdict = verdict_of(report),
+                    .style = product_style(),
+                    .data = std::move(whole.data)},
+                   whole.html + tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
 }
 
 }  // namespace planish

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "report/page/figures_table.h"
-#include "report/page/page_script.h"
+#include "report/page/page_assets.h"
 #include "support/page.h"
 #include "support/sample_report.h"
 

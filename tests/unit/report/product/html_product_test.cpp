@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/figure_text.h"
+#include "report/page/page_assets.h"
 #include "support/page.h"
 #include "support/products.h"
 
@@ -41,12 +42,12 @@ std::string page(const ProductReport& report = product()) {
                      {"coat", {"a/report.html", "b c/report.html", "\u00FC/report.html", ""}});
 }
 
-TEST(HtmlProduct, IsAWholePageWithoutScripts) {
+TEST(HtmlProduct, IsAWholePage) {
   const std::string html = page();
   pages::expect_closed_tags(html);
   pages::expect_nothing_from_outside(html);
-  EXPECT_EQ(count(html, "<script"), 0U);
-  EXPECT_EQ(count(html, "<img "), 3U);
+  EXPECT_EQ(count(html, "<script"), page_script().is_there() ? 2U : 0U) << "data and script";
+  EXPECT_EQ(count(html, "<img "), 4U) << "of the whole and of each piece";
   EXPECT_EQ(count(html, "<svg class=\"outline\""), 3U);
   EXPECT_THAT(html, HasSubstr("<title>coat"));
 }
@@ -57,8 +58,9 @@ TEST(HtmlProduct, ShowsWhatIsMissedFirst) {
   const std::size_t tiles = html.find("<ol class=\"pieces\">");
   EXPECT_LT(html.find("lost &amp; &lt;found&gt;", tiles), html.find("strip-1", tiles));
   EXPECT_EQ(count(html, "class=\"lacking\""), 1U);
-  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 3U);
-  EXPECT_EQ(count(html, "<span class=\"missed\">\u2717</span>"), 1U);
+  // In the list of the whole and over its tile.
+  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 2U * 3U);
+  EXPECT_EQ(count(html, "<span class=\"missed\">\u2717</span>"), 2U * 1U);
   EXPECT_THAT(html, HasSubstr("<p>Failed: no such file.</p>"));
 }
 
@@ -73,7 +75,7 @@ TEST(HtmlProduct, SaysNothingIsAsAskedForWhereNothingWasAskedFor) {
   report.patches.front().finished->not_judged = "no vertex inside";
   const std::string html = page(report);
   EXPECT_THAT(html, Not(HasSubstr("as asked for")));
-  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 2U);
+  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 2U * 2U);
   EXPECT_THAT(html, HasSubstr("<span class=\"neutral\">\u2022</span>"));
   EXPECT_THAT(html, HasSubstr("Cannot be judged: no vertex inside."));
 }
@@ -94,7 +96,8 @@ TEST(HtmlProduct, ColoursBothSidesOfASeamAlikeWithOneNumber) {
       EXPECT_EQ(found[1], first);
     }
     EXPECT_EQ(sides, 2U) << number;
-    EXPECT_THAT(html, HasSubstr("<tr><th><svg class=\"swatch " + first + "\""));
+    EXPECT_THAT(
+        html, HasSubstr("<tr id=\"seam-" + number + "\"><th><svg class=\"swatch " + first + "\""));
     EXPECT_EQ(count(html, "<g class=\"" + first + "\"><path d=\"M"), 2U);
     classes.insert(first);
   }
@@ -106,7 +109,21 @@ TEST(HtmlProduct, LinksToTheReportOfEachFinishedPiece) {
   EXPECT_THAT(html, HasSubstr("<a href=\"a/report.html\">"));
   EXPECT_THAT(html, HasSubstr("<a href=\"b%20c/report.html\">"));
   EXPECT_THAT(html, HasSubstr("<a href=\"%C3%BC/report.html\">"));
-  EXPECT_EQ(count(html, "<a href"), 3U);
+  EXPECT_EQ(count(html, "<a href") - count(html, "<a href=\"#piece-"), 3U);
+}
+
+TEST(HtmlProduct, ListsThePiecesOfTheWholeWithLinksToTheirTiles) {
+  const std::string html = page();
+  const std::size_t list = html.find("<ol class=\"parts\">"),
+                    tiles = html.find("<ol class=\"pieces\">");
+  EXPECT_LT(html.find("<section class=\"whole"), list);
+  EXPECT_LT(list, tiles);
+  for (const std::string number : {"1", "2", "3", "4"}) {
+    EXPECT_LT(html.find("<a href=\"#piece-" + number + "\">"), tiles) << number;
+    EXPECT_EQ(count(html, "<li id=\"piece-" + number + "\""), 1U);
+  }
+  EXPECT_EQ(count(html, "class=\"chip\" style=\"background:#"), 3U) << "the other one failed";
+  EXPECT_THAT(html, HasSubstr("<p class=\"sum\">4 pieces (1 failed), "));
 }
 
 TEST(HtmlProduct, ListsTheSeamsWithTheirDifference) {

@@ -26,6 +26,7 @@
 #include "output/pattern_notes.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
+#include "product/cut_product.h"
 #include "product/job.h"
 #include "product/nest.h"
 #include "product/parts.h"

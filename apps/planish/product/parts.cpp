@@ -10,8 +10,6 @@
 #include <planish/measure/material.h>
 #include <planish/mesh/repair.h>
 
-#include "cut/requested_lines.h"
-#include "cut/symmetric_design.h"
 #include "mesh/split.h"
 #include "model/model_flags.h"
 #include "output/pattern_output.h"
@@ -48,6 +46,20 @@ std::string names_of(const std::vector<fs::path>& files) {
 
 }  // namespace
 
+std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
+                                  const std::vector<MeshFormat>& formats) {
+  std::vector<std::string> names;
+  names.reserve(patches.size());
+  for (const ProductPatch& patch : patches)
+    names.push_back(patch.name);
+  const std::vector<std::string> folders = safe_names(names);
+  std::vector<PatchPlace> places;
+  places.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    places.push_back({folders[p], formats[p]});
+  return places;
+}
+
 std::vector<std::string> mesh_files_in(Session& session, const std::string& folder) {
   std::error_code failure;
   std::vector<fs::path> files, others;
@@ -79,21 +91,6 @@ std::vector<std::string> mesh_files_in(Session& session, const std::string& fold
 }
 
 namespace {
-
-/// Safe folders for all patches.
-std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
-                                  const std::vector<MeshFormat>& formats) {
-  std::vector<std::string> names;
-  names.reserve(patches.size());
-  for (const ProductPatch& patch : patches)
-    names.push_back(patch.name);
-  const std::vector<std::string> folders = safe_names(names);
-  std::vector<PatchPlace> places;
-  places.reserve(patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    places.push_back({folders[p], formats[p]});
-  return places;
-}
 
 bool is_folder(const std::string& path) {
   std::error_code ignored;
@@ -316,133 +313,6 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
   if (input.patches.empty())
     throw Error(ErrorCode::no_triangles, "the flags leave nothing of the files", {.path = path});
   return input;
-}
-
-namespace {
-
-constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
-
-/// Why a sound surface has to be divided before it is laid flat; nothing where it need not.
-std::string reason_to_divide(const Patch& patch) {
-  const Inspection& inspection = patch.inspection();
-  if (blocking_problem(inspection, Purpose::measure)) return {};
-  const auto problem = blocking_problem(inspection, Purpose::unfold);
-  if (!problem) return {};
-  switch (problem->code) {
-    case ErrorCode::closed_surface:
-      return "the surface is closed";
-    case ErrorCode::handles:
-      return "the surface has handles";
-    case ErrorCode::several_border_loops:
-      return "the surface is a tube or has open seams";
-    default:
-      return {};
-  }
-}
-
-/// The pieces that a patch is cut into; to what was done to all is added what was done to it.
-std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
-                                    bool is_one_of_several, const Arguments& arguments,
-                                    Session& session, CutInput& all) {
-  CutInput cut = {};
-  if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
-    cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                       {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
-  } else {
-    const Patch whole(std::move(patch.mesh));
-    if (const std::string reason = reason_to_divide(whole); !reason.empty()) {
-      session.note(path + ": " + reason +
-                   "; it is divided, as by --cut auto. Of a wall with a thickness --side takes one "
-                   "side");
-      cut = divided_into_panels(whole, path, arguments, session);
-    } else {
-      cut.mesh = whole.mesh();
-    }
-  }
-  if (cut.cut) *all.cut += *cut.cut;
-  all.symmetric_in = cut.symmetric_in;
-  std::vector<ProductPatch> pieces;
-  for (NamedPatch& piece : split(cut.mesh, patch.name)) {
-    pieces.push_back(patch);
-    pieces.back().name = std::move(piece.name);
-    pieces.back().mesh = std::move(piece.mesh);
-  }
-  return pieces;
-}
-
-/// Takes those away that --without names.
-/// @param whole the name of what was cut
-/// @throws Error unknown_name, no_triangles
-void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
-               const Arguments& arguments, std::vector<std::string>& left_out) {
-  std::vector<std::string> names;
-  names.reserve(pieces.size());
-  for (const ProductPatch& piece : pieces)
-    names.push_back(piece.name);
-  ModelOptions options = model_options_from(arguments, names);
-  options.only.clear();  // that was of the file
-  std::erase_if(options.without, [&](const std::string& name) {
-    const bool is_of_file = std::find(left_out.begin(), left_out.end(), name) != left_out.end();
-    return is_of_file || !name.starts_with(whole + "-");
-  });
-  check_names(options, names);
-  for (const std::string& name : options.without) {
-    std::erase_if(pieces, [&](const ProductPatch& piece) { return piece.name == name; });
-    left_out.push_back(name);
-  }
-  if (pieces.empty())
-    throw Error(ErrorCode::no_triangles, "--without leaves nothing of what the cut makes");
-}
-
-}  // namespace
-
-std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
-                                      Session& session) {
-  const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
-  if (!is_symmetric && !is_cut) return std::nullopt;
-  const bool are_several = input.patches.size() > 1 || input.is_described;
-  if (are_several && (is_symmetric || asks_for_lines(arguments))) {
-    throw UsageError(
-        "flag " + std::string(is_symmetric ? "--symmetric" : "--cut") +
-        " goes with one patch only, but for --cut open; the input has several: "
-        "take one with --only NAME, or what hangs together as one with --divide parts");
-  }
-  CutInput all{{}, CutOutcome{}};
-  std::vector<ProductPatch> patches;
-  std::vector<MeshFormat> formats;
-  if (!are_several) {
-    input.patches.front().mesh = input.whole.mesh;
-    input.patches.front().name = input.whole.pieces.front();
-    input.patches.front().turned = input.whole.turned;
-  }
-  const std::size_t before = input.patches.size();
-  std::size_t made = before;
-  for (std::size_t p = 0; p < input.patches.size(); ++p) {
-    const MeshFormat format = input.places[p].format;
-    const std::string path = input.patches[p].words.source;
-    std::vector<ProductPatch> pieces;
-    if (input.patches[p].failure) {
-      pieces.push_back(std::move(input.patches[p]));
-    } else {
-      const std::string whole = input.patches[p].name;
-      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, all);
-      made += pieces.size() - 1;
-      if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
-    }
-    formats.insert(formats.end(), pieces.size(), format);
-    std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));
-  }
-  input.patches = std::move(patches);
-  input.places = places_of(input.patches, formats);
-  if (made > before)
-    session.note(input.path + ": the cut makes " + std::to_string(made) + " patches");
-  if (!are_several && input.patches.size() == 1) {
-    input.whole.mesh = input.patches.front().mesh;
-    input.whole.pieces = {input.patches.front().name};
-    input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
-  }
-  input.symmetric_in = all.symmetric_in;
-  return is_cut ? all.cut : std::nullopt;
 }
 
 }  // namespace planish::cli

@@ -7,7 +7,6 @@
 #include <planish/flatten/product.h>
 #include <planish/io/model.h>
 
-#include "cut/cut_flag.h"
 #include "flags/units.h"
 #include "product/product_file.h"
 #include "shell/session.h"
@@ -53,12 +52,9 @@ struct ProductInput {
 ProductInput read_product(Session& session, const std::vector<std::string>& paths,
                           const Arguments& arguments, bool as_product);
 
-/// Cuts an input of one patch open as --cut and --symmetric say; where that divides it, it has
-/// several patches from then on.
-/// @throws UsageError for an input of several patches and for a product file, Error as
-/// cut_as_asked()
-std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
-                                      Session& session);
+/// Safe folders for all patches.
+std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
+                                  const std::vector<MeshFormat>& formats);
 
 /// The mesh files in a folder, not in folders below, in the order of their names. A note names
 /// models that cannot be read.

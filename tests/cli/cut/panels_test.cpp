@@ -70,30 +70,15 @@ TEST_F(Panels, AreWhatFlattenMakesOfAClosedSurface) {
 }
 
 TEST_F(Panels, OfAStoppedSearchAreTheBestSoFar) {
-  // The first answer is told by a line, at whose end the user asks to stop.
-  class StoppingBuffer : public std::stringbuf {
-   public:
-    explicit StoppingBuffer(std::atomic<bool>& flag) : flag_(flag) {}
-
-   protected:
-    std::streamsize xsputn(const char* text, std::streamsize count) override {
-      if (std::string_view(text, static_cast<std::size_t>(count)).find("of seam") !=
-          std::string_view::npos)
-        flag_ = true;
-      return std::stringbuf::xsputn(text, count);
-    }
-
-   private:
-    std::atomic<bool>& flag_;
-  };
   std::atomic<bool> stop = false;
-  StoppingBuffer buffer(stop);
-  std::ostream err(&buffer);
-  std::ostringstream out;
+  std::ostringstream out, err;
   const Names args = {"panels", "dome.obj", "-o", "lines.obj", "--effort", "1000"};
-  EXPECT_EQ(run(args, out, err, {.interrupted = &stop}), k_exit_done) << buffer.str();
+  const auto stop_after_the_first = [&](const Progress& progress) { stop = progress.share > 0.0; };
+  EXPECT_EQ(run(args, out, err, {.interrupted = &stop, .on_progress = stop_after_the_first}),
+            k_exit_done)
+      << err.str();
   EXPECT_TRUE(stop);
-  EXPECT_THAT(buffer.str(), HasSubstr("the search was stopped"));
+  EXPECT_THAT(err.str(), HasSubstr("the search was stopped"));
   EXPECT_TRUE(std::filesystem::exists("lines.obj"));
 }
 
@@ -105,9 +90,11 @@ TEST_F(Panels, RefuseWhatTheyCannotDo) {
   };
   EXPECT_THAT(refused({"panels", "box.obj", "--effort", "0"}), HasSubstr("--effort"));
   EXPECT_THAT(refused({"panels", "box.obj", "--prefer-cuts", "long"}), HasSubstr("few"));
-  EXPECT_THAT(refused({"panels", "box.obj", "-o", "lines.txt"}), HasSubstr("lines.txt"));
   EXPECT_THAT(refused({"flatten", "box.obj", "--symmetric", "x=0", "--cut", "auto"}),
               HasSubstr("does not go with --cut auto"));
+  const CliResult no_lines = planish({"panels", "box.obj", "-o", "lines.txt"});
+  EXPECT_EQ(no_lines.exit_code, k_exit_failed);
+  EXPECT_THAT(no_lines.err, HasSubstr("lines.txt: the lines are an .obj file"));
 }
 
 }  // namespace

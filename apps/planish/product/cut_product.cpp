@@ -1,0 +1,154 @@
+#include "product/cut_product.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cut/requested_lines.h"
+#include "cut/symmetric_design.h"
+#include "mesh/split.h"
+#include "model/model_flags.h"
+#include "shell/failures.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
+
+/// Why a sound surface has to be divided before it is laid flat; nothing where it need not.
+std::string reason_to_divide(const Patch& patch) {
+  const Inspection& inspection = patch.inspection();
+  if (blocking_problem(inspection, Purpose::measure)) return {};
+  const auto problem = blocking_problem(inspection, Purpose::unfold);
+  if (!problem) return {};
+  switch (problem->code) {
+    case ErrorCode::closed_surface:
+      return "the surface is closed";
+    case ErrorCode::handles:
+      return "the surface has handles";
+    case ErrorCode::several_border_loops:
+      return "the surface is a tube or has open seams";
+    default:
+      return {};
+  }
+}
+
+/// Whether a patch of the input cannot be laid flat undivided.
+bool has_to_be_divided(const ProductInput& input) {
+  const auto divides = [](const TriMesh& mesh) { return !reason_to_divide(Patch(mesh)).empty(); };
+  if (input.patches.size() == 1 && !input.is_described)
+    return !input.patches.front().failure && divides(input.whole.mesh);
+  return std::any_of(input.patches.begin(), input.patches.end(), [&](const ProductPatch& patch) {
+    return !patch.failure && divides(patch.mesh);
+  });
+}
+
+/// The pieces that a patch is cut into; to what was done to all is added what was done to it.
+std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
+                                    bool is_one_of_several, const Arguments& arguments,
+                                    Session& session, CutInput& all) {
+  CutInput cut = {};
+  if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
+    cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
+                       {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+  } else {
+    const Patch whole(std::move(patch.mesh));
+    if (const std::string reason = reason_to_divide(whole); !reason.empty()) {
+      session.note(path + ": " + reason +
+                   "; it is divided, as by --cut auto. Of a wall with a thickness --side takes one "
+                   "side");
+      cut = divided_into_panels(whole, path, arguments, session);
+    } else {
+      cut.mesh = whole.mesh();
+    }
+  }
+  if (cut.cut) *all.cut += *cut.cut;
+  all.symmetric_in = cut.symmetric_in;
+  std::vector<ProductPatch> pieces;
+  for (NamedPatch& piece : split(cut.mesh, patch.name)) {
+    pieces.push_back(patch);
+    pieces.back().name = std::move(piece.name);
+    pieces.back().mesh = std::move(piece.mesh);
+  }
+  return pieces;
+}
+
+/// Takes those away that --without names.
+/// @param whole the name of what was cut
+/// @throws Error unknown_name, no_triangles
+void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
+               const Arguments& arguments, std::vector<std::string>& left_out) {
+  std::vector<std::string> names;
+  names.reserve(pieces.size());
+  for (const ProductPatch& piece : pieces)
+    names.push_back(piece.name);
+  ModelOptions options = model_options_from(arguments, names);
+  options.only.clear();  // that was of the file
+  std::erase_if(options.without, [&](const std::string& name) {
+    const bool is_of_file = std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+    return is_of_file || !name.starts_with(whole + "-");
+  });
+  check_names(options, names);
+  for (const std::string& name : options.without) {
+    std::erase_if(pieces, [&](const ProductPatch& piece) { return piece.name == name; });
+    left_out.push_back(name);
+  }
+  if (pieces.empty())
+    throw Error(ErrorCode::no_triangles, "--without leaves nothing of what the cut makes");
+}
+
+}  // namespace
+
+std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
+                                      Session& session) {
+  const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
+  if (!is_symmetric && !is_cut && !has_to_be_divided(input)) return std::nullopt;
+  const bool are_several = input.patches.size() > 1 || input.is_described;
+  if (are_several && (is_symmetric || asks_for_lines(arguments))) {
+    throw UsageError(
+        "flag " + std::string(is_symmetric ? "--symmetric" : "--cut") +
+        " goes with one patch only, but for --cut open and auto; the input has several: "
+        "take one with --only NAME, or what hangs together as one with --divide parts");
+  }
+  CutInput all{{}, CutOutcome{}};
+  std::vector<ProductPatch> patches;
+  std::vector<MeshFormat> formats;
+  if (!are_several) {
+    input.patches.front().mesh = input.whole.mesh;
+    input.patches.front().name = input.whole.pieces.front();
+    input.patches.front().turned = input.whole.turned;
+  }
+  const std::size_t before = input.patches.size();
+  std::size_t made = before;
+  for (std::size_t p = 0; p < input.patches.size(); ++p) {
+    const MeshFormat format = input.places[p].format;
+    const std::string path = input.patches[p].words.source;
+    std::vector<ProductPatch> pieces;
+    if (input.patches[p].failure) {
+      pieces.push_back(std::move(input.patches[p]));
+    } else {
+      const std::string whole = input.patches[p].name;
+      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, all);
+      made += pieces.size() - 1;
+      if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
+    }
+    formats.insert(formats.end(), pieces.size(), format);
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(patches));
+  }
+  input.patches = std::move(patches);
+  input.places = places_of(input.patches, formats);
+  if (made > before)
+    session.note(input.path + ": the cut makes " + std::to_string(made) + " patches");
+  if (!are_several && input.patches.size() == 1) {
+    input.whole.mesh = input.patches.front().mesh;
+    input.whole.pieces = {input.patches.front().name};
+    input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
+  }
+  input.symmetric_in = all.symmetric_in;
+  return is_symmetric && !is_cut ? std::nullopt : all.cut;
+}
+
+}  // namespace planish::cli

@@ -19,13 +19,14 @@ constexpr std::size_t k_grain = 512;
 constexpr double k_accuracy = 1e-8;  // of chi, on dense patches
 
 /// K without values.
-SparseMatrix pattern_of(const AngleJacobian& jacobian, std::size_t rows) {
-  const std::size_t n = jacobian.row_count();
+SparseMatrix pattern_of(const AngleJacobian& jacobian, const MirrorOrbits& orbits,
+                        std::size_t rows) {
+  const std::size_t n = orbits.count(jacobian.row_count());
   return sparse_matrix(rows, n, [&](const auto& add) {
     for (Index v = 0; v < jacobian.angle_count(); ++v) {
-      add(v, v, 0.0);
+      add(v, orbits.orbit_of(v), 0.0);
       for (const Index w : jacobian.ring(v)) {
-        if (w < rows) add(w, v, 0.0);
+        if (w < rows) add(w, orbits.orbit_of(v), 0.0);
       }
     }
     for (std::size_t column = jacobian.angle_count(); column < n; ++column) {
@@ -63,10 +64,12 @@ double dot_of_columns(const SparseMatrix& matrix, int a, int b) {
 }  // namespace
 
 StrainPotential::StrainPotential(const AngleJacobian& jacobian, std::span<const Vec3> x,
-                                 ThreadPool& pool, BoundaryCondition border, Precision precision)
+                                 ThreadPool& pool, BoundaryCondition border, Precision precision,
+                                 MirrorOrbits orbits)
     : jacobian_(jacobian),
+      orbits_(std::move(orbits)),
       border_(border),
-      stiffness_(pattern_of(jacobian,
+      stiffness_(pattern_of(jacobian, orbits_,
                             border == BoundaryCondition::free ? x.size() : jacobian.row_count())) {
   const std::size_t n = jacobian.row_count();
   if (n == 0) return;
@@ -85,10 +88,14 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, std::span<const 
 
 /// The rows of the holes, which meet many others, come last.
 std::vector<Index> StrainPotential::elimination_order(std::span<const Vec3> x) const {
-  const auto n = static_cast<Eigen::Index>(jacobian_.angle_count());
+  const std::size_t count = orbits_.count(jacobian_.angle_count());
+  const auto n = static_cast<Eigen::Index>(count);
   const SparseMatrix of_vertices = matrix().topLeftCorner(n, n);
-  std::vector<Index> order = nested_dissection(
-      x.first(jacobian_.angle_count()), graph_of(of_vertices.selfadjointView<Eigen::Lower>()));
+  std::vector<Vec3> places;
+  for (Index orbit = 0; orbit < count; ++orbit)
+    places.push_back(x[orbits_.first_of(orbit)]);
+  std::vector<Index> order =
+      nested_dissection(places, graph_of(of_vertices.selfadjointView<Eigen::Lower>()));
   for (std::size_t row = jacobian_.angle_count(); row < jacobian_.row_count(); ++row)
     order.push_back(static_cast<Index>(row));
   return order;
@@ -96,29 +103,38 @@ std::vector<Index> StrainPotential::elimination_order(std::span<const Vec3> x) c
 
 void StrainPotential::fill(std::span<const Vec3> x, ThreadPool& pool) {
   double* values = stiffness_.valuePtr();
-  const double at_border = std::sqrt(ease_);
-  pool.for_ranges(jacobian_.angle_count(), k_grain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vec3> ring;
-    for (std::size_t v = begin; v < end; ++v) {
-      ring.clear();
-      for (const Index w : jacobian_.ring(static_cast<Index>(v)))
-        ring.push_back(x[w]);
-      const int column = static_cast<int>(v);
-      double& own = values[place_in_column(stiffness_, column, column)] = 0.0;
-      const std::vector<double> weights = cotangent_weights(x[v], ring);
-      const auto neighbours = jacobian_.ring(static_cast<Index>(v));
-      for (std::size_t j = 0; j < weights.size(); ++j) {
-        own += weights[j];
-        const std::size_t place =
-            place_in_column(stiffness_, static_cast<int>(neighbours[j]), column);
-        if (place == k_nowhere) continue;
-        values[place] = is_eased(neighbours[j]) ? -at_border * weights[j] : -weights[j];
-      }
+  const int* start = stiffness_.outerIndexPtr();
+  const std::size_t count = orbits_.count(jacobian_.angle_count());
+  pool.for_ranges(count, k_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t orbit = begin; orbit < end; ++orbit) {
+      const int column = static_cast<int>(orbit);
+      std::fill(values + start[column], values + start[column + 1], 0.0);
+      const Index v = orbits_.first_of(static_cast<Index>(orbit)), image = orbits_.image(v);
+      add_row(v, column, x);
+      if (image != v) add_row(image, column, x);
     }
   });
   polygons_.clear();
   for (std::size_t hole = 0; hole < jacobian_.holes().size(); ++hole)
     fill_hole(hole, x);
+}
+
+/// The row of K of an inner vertex.
+void StrainPotential::add_row(Index v, int column, std::span<const Vec3> x) {
+  const auto neighbours = jacobian_.ring(v);
+  std::vector<Vec3> ring;
+  for (const Index w : neighbours)
+    ring.push_back(x[w]);
+  const std::vector<double> weights = cotangent_weights(x[v], ring);
+  const double at_border = std::sqrt(ease_);
+  double* values = stiffness_.valuePtr();
+  double& own = values[place_in_column(stiffness_, static_cast<int>(v), column)];
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    own += weights[j];
+    const std::size_t place = place_in_column(stiffness_, static_cast<int>(neighbours[j]), column);
+    if (place == k_nowhere) continue;
+    values[place] += is_eased(neighbours[j]) ? -at_border * weights[j] : -weights[j];
+  }
 }
 
 /// The rows of K at its border, summed, and weighed by the corners of its polygon, less what phi
@@ -157,7 +173,8 @@ void StrainPotential::fill_hole(std::size_t hole, std::span<const Vec3> x) {
 }
 
 void StrainPotential::take_square(ThreadPool& pool) {
-  pool.for_ranges(jacobian_.row_count(), k_grain, [this](std::size_t begin, std::size_t end) {
+  const auto count = static_cast<std::size_t>(square_.cols());
+  pool.for_ranges(count, k_grain, [this](std::size_t begin, std::size_t end) {
     for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
       for (SparseMatrix::InnerIterator entry(square_, v); entry; ++entry)
         entry.valueRef() = dot_of_columns(stiffness_, static_cast<int>(entry.row()), v);
@@ -181,8 +198,11 @@ void StrainPotential::factor(ThreadPool& pool) {
 }
 
 Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) {
-  Eigen::VectorXd solution = solver_->solve(matrix(), defects, pool, k_accuracy, k_accuracy);
-  if (border_ == BoundaryCondition::dirichlet) return solution;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(stiffness_.cols());
+  for (Eigen::Index row = 0; row < defects.size(); ++row)
+    right[orbits_.orbit_of(static_cast<Index>(row))] += defects[row];
+  Eigen::VectorXd solution = solver_->solve(matrix(), right, pool, k_accuracy, k_accuracy);
+  if (!by_square()) return solution;
   return stiffness_ * solution;
 }
 

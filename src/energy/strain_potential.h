@@ -7,6 +7,7 @@
 
 #include "core/thread_pool.h"
 #include "energy/angle_jacobian.h"
+#include "mesh/symmetry/mirror_orbits.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
@@ -33,6 +34,9 @@ enum class BoundaryCondition {
 /// Where the border is free, K and d have three more rows for each hole of the jacobian, so that
 /// its border closes in the pattern: d is what HoleLayout::defects() gives, K how phi changes that
 /// (docs/methods/smooth.md). The polygons of the holes are taken with K.
+///
+/// Of a patch that is its own mirror image the rows of each orbit are summed: Q^T K phi = Q^T d,
+/// with the phi that is symmetric.
 class StrainPotential {
  public:
   /// Takes K from a surface: positive definite, as of finite elements, where each part of it has a
@@ -41,8 +45,10 @@ class StrainPotential {
   ///   must outlive it
   /// @param x the positions of all vertices, inner ones first
   /// @param precision in which K is factored
+  /// @param orbits symmetric only where there are no holes
   StrainPotential(const AngleJacobian& jacobian, std::span<const Vec3> x, ThreadPool& pool,
-                  BoundaryCondition border, Precision precision = Precision::full);
+                  BoundaryCondition border, Precision precision = Precision::full,
+                  MirrorOrbits orbits = {});
 
   /// False where K or its square cannot be factored.
   bool solvable() const { return solvable_; }
@@ -63,36 +69,39 @@ class StrainPotential {
   /// @param at the position of a vertex
   template <class At>
   Eigen::VectorXd defects(Eigen::VectorXd of_vertices, const At& at) const;
-  /// @param defects by row, as from defects()
+  /// @param defects by row of the jacobian, as from defects()
   /// @return by inner vertex; where the border is free by vertex. @pre the factor is there
   Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool);
 
-  /// K^T: a row for each value of phi, a column for each inner vertex and three for each hole.
+  /// K^T: a row for each value of phi, a column for each orbit of inner vertices and three for each
+  /// hole.
   const SparseMatrix& stiffness() const { return stiffness_; }
   /// K K^T, its lower half: |phi|^2 = d . square^-1 d.
   const SparseMatrix& square() const { return square_; }
 
  private:
   /// What is solved with.
-  const SparseMatrix& matrix() const {
-    return border_ == BoundaryCondition::free ? square_ : stiffness_;
-  }
+  const SparseMatrix& matrix() const { return by_square() ? square_ : stiffness_; }
+  /// K summed by orbits is not symmetric.
+  bool by_square() const { return border_ == BoundaryCondition::free || orbits_.is_symmetric(); }
   /// On the border, but not on that of a hole.
   bool is_eased(Index v) const {
     return v >= jacobian_.angle_count() && (is_at_hole_.empty() || is_at_hole_[v] == 0);
   }
   void fill(std::span<const Vec3> x, ThreadPool& pool);
+  void add_row(Index v, int column, std::span<const Vec3> x);
   void fill_hole(std::size_t hole, std::span<const Vec3> x);
   std::vector<Index> elimination_order(std::span<const Vec3> x) const;
   void take_square(ThreadPool& pool);
 
   const AngleJacobian& jacobian_;
+  MirrorOrbits orbits_;
   BoundaryCondition border_;
   double ease_ = 1.0;
   std::vector<unsigned char> is_at_hole_;      // by vertex; none where there are no holes
   std::vector<HoleLayout::Polygon> polygons_;  // by hole
   SparseMatrix stiffness_, square_;            // K^T, K K^T
-  std::optional<MixedLdlt> solver_;            // of K, of K K^T where the border is free
+  std::optional<MixedLdlt> solver_;            // of matrix()
   bool solvable_ = false;
 };
 

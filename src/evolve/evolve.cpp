@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <chrono>
-#include <utility>
 #include <vector>
 
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/symmetry.h>
 
 #include "core/job.h"
 #include "evolve/check_stopping.h"
@@ -18,24 +16,6 @@ namespace {
 
 /// Defects up to this are rounding: no target below it can be asked for.
 constexpr double k_rounding_defect = 1e-12;
-
-/// The mean of the moves and of their mirror images. What did not move stays to the bit.
-std::vector<Vec3> with_symmetric_moves(const Patch& patch, const Constraints& constraints,
-                                       std::vector<Vec3> positions) {
-  const Symmetry symmetry = symmetry_in(patch, *constraints.symmetric_in);
-  if (symmetry.image.empty()) return positions;
-  const std::vector<Vec3>& before = patch.positions();
-  const Plane through_origin{symmetry.plane.normal, 0.0};
-  std::vector<Vec3> after = before;
-  for (std::size_t v = 0; v < after.size(); ++v) {
-    const Index w = symmetry.image[v];
-    const Vec3 own = positions[v] - before[v], other = positions[w] - before[w];
-    after[v] += own + 0.5 * (mirrored(through_origin, other) - own);
-  }
-  for (const Index v : constraints.fixed)
-    after[v] = before[v];
-  return after;
-}
 
 }  // namespace
 
@@ -131,8 +111,6 @@ EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& st
   }
   if (result.stop == StopReason::sweep_limit) evolver.prolong_to_finest();
   result.positions = evolver.positions();
-  if (constraints.symmetric_in)
-    result.positions = with_symmetric_moves(patch, constraints, std::move(result.positions));
   result.threads = evolver.threads();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = elapsed.count();

@@ -6,8 +6,10 @@
 #include <planish/evolve/evolver.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/symmetry.h>
 
 #include "core/thread_pool.h"
+#include "evolve/state/mirror_orbits_of.h"
 #include "evolve/state/patch_state.h"
 #include "evolve/state/sweep.h"
 
@@ -38,13 +40,37 @@ void check_neighbours(const Connectivity& connectivity, const Method& method) {
   }
 }
 
+/// In the plane in which the patch is to stay symmetric; without images where it has none.
+Symmetry symmetry_of(const Patch& patch, const Constraints& constraints) {
+  return constraints.symmetric_in ? symmetry_in(patch, *constraints.symmetric_in) : Symmetry{};
+}
+
+/// The means of the moves and of their mirror images. What did not move stays to the bit.
+std::vector<Vec3> with_symmetric_moves(const Patch& patch, const Symmetry& symmetry,
+                                       const std::vector<Index>& fixed,
+                                       const std::vector<Vec3>& positions) {
+  const std::vector<Vec3>& before = patch.positions();
+  std::vector<Vec3> after = before;
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    const Index w = symmetry.image[v];
+    after[v] +=
+        symmetric_move(positions[v] - before[v], positions[w] - before[w], symmetry.plane.normal);
+  }
+  for (const Index v : fixed)
+    after[v] = before[v];
+  return after;
+}
+
 }  // namespace
 
 class Evolver::Impl {
  public:
   Impl(const Patch& patch, const Method& method, const Constraints& constraints,
        const Context& context)
-      : pool_(context), state_(patch, pool_, constraints) {
+      : pool_(context),
+        symmetry_(symmetry_of(patch, constraints)),
+        fixed_(constraints.fixed),
+        state_(patch, pool_, constraints, mirror_orbits_of(patch, symmetry_, constraints)) {
     sweep_.emplace(
         std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method));
   }
@@ -71,12 +97,18 @@ class Evolver::Impl {
 
   void prolong_to_finest() { sweep_->prolong_to_finest(); }
 
-  const PatchState& state() const { return state_; }
+  std::vector<Vec3> positions() const {
+    std::vector<Vec3> positions = state_.positions_in_mesh_order();
+    if (symmetry_.image.empty()) return positions;
+    return with_symmetric_moves(state_.patch(), symmetry_, fixed_, positions);
+  }
   unsigned threads() const { return pool_.size(); }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ThreadPool pool_;
+  Symmetry symmetry_;
+  std::vector<Index> fixed_;
   PatchState state_;
   std::optional<Sweep> sweep_;
   Flattenability figures_;
@@ -109,7 +141,7 @@ void Evolver::prolong_to_finest() {
 }
 
 std::vector<Vec3> Evolver::positions() const {
-  return impl_->state().positions_in_mesh_order();
+  return impl_->positions();
 }
 
 unsigned Evolver::threads() const {

@@ -185,9 +185,9 @@ TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
   const Patch surface(mesh);
   ThreadPool pool(1);
   PatchState fine(surface, pool);
-  const CoarseLevels levels(fine, 6000, pool);
+  const CoarseLevels levels(fine, 6000, {}, pool);
   ASSERT_EQ(levels.coarsest(), 2U);
-  EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool), 6000, pool).coarsest(), 0U);
+  EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool), 6000, {}, pool).coarsest(), 0U);
   const auto coarse = levels.make_state(1, pool);
   // A dent that is nothing at the border: one half wave across the middle of the patch.
   const double size = norm(mesh.positions.front() - mesh.positions.back());

@@ -16,8 +16,9 @@ struct Constraints {
   std::vector<double> weights =
       {};                 ///< one per vertex, 1e-6 to 1e6: the weight of its moves; none: 1
   TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
-  /// A patch that is symmetric in this plane vertex by vertex (Symmetry::image) stays so: moves are
-  /// the means of those of both sides. Idle for others.
+  /// A patch that is symmetric in this plane vertex by vertex (Symmetry::image) stays so: `auto`
+  /// solves for half with Prefer::smooth and flat where it can, else moves are the means of those
+  /// of both sides. Idle for others.
   std::optional<Plane> symmetric_in = {};
 };
 

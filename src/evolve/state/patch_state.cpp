@@ -10,7 +10,8 @@
 
 namespace planish {
 
-PatchState::PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints)
+PatchState::PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints,
+                       const MirrorOrbits& orbits)
     : patch_(patch), weights_(constraints.weights) {
   const auto inner = patch.inner_vertices();
   Box box = bounding_box(patch_.positions(), inner, pool);
@@ -32,6 +33,7 @@ PatchState::PatchState(const Patch& patch, ThreadPool& pool, const Constraints& 
   obstacle_ = constraints.obstacle;
   for (Vec3& p : obstacle_.positions)
     p = scale_ * p;
+  orbits_ = orbits.of_part(vertex_of_);
   changed_at_.assign(inner_count(), 0);
   measure(pool);
 }

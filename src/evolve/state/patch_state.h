@@ -16,6 +16,7 @@
 #include "evolve/simd/move_stars.h"
 #include "evolve/state/visit_plan.h"
 #include "geometry/box.h"
+#include "mesh/symmetry/mirror_orbits.h"
 
 namespace planish {
 
@@ -46,7 +47,9 @@ struct DefectSums {
 /// exact both ways.
 class PatchState {
  public:
-  PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints = {});
+  /// @param orbits of the vertices of the patch, as from mirror_orbits_of()
+  PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints = {},
+             const MirrorOrbits& orbits = {});
 
   std::size_t inner_count() const { return plan_.visits.size(); }
   bool is_inner(Index v) const { return v < inner_count(); }
@@ -65,6 +68,8 @@ class PatchState {
   std::vector<Triangle> triangles() const;
   /// What is not to be entered, in the units in here; without triangles where there is nothing.
   const TriMesh& obstacle() const { return obstacle_; }
+  /// Vertices with their mirror images, where the patch is to stay its own mirror image.
+  const MirrorOrbits& orbits() const { return orbits_; }
   /// How a sweep visits the inner vertices.
   const VisitPlan& plan() const { return plan_; }
 
@@ -125,6 +130,7 @@ class PatchState {
   std::vector<std::uint32_t> changed_at_;  // when its place or defect changed last
   std::uint32_t sweep_began_ = 1;
   VisitPlan plan_;
+  MirrorOrbits orbits_;
 };
 
 }  // namespace planish

@@ -9,10 +9,11 @@ namespace planish {
 
 KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
                      const ForPairs& for_pairs, const SparseMatrix& square, Moves moves,
-                     Precision precision, const ThreadPool& pool)
+                     Precision precision, const ThreadPool& pool, MirrorOrbits orbits)
     : jacobian_(jacobian),
-      inner_(static_cast<Index>(jacobian.angle_count())),
-      count_(static_cast<Index>(jacobian.column_count())),
+      orbits_(std::move(orbits)),
+      inner_(static_cast<Index>(orbits_.count(jacobian.angle_count()))),
+      count_(static_cast<Index>(orbits_.count(jacobian.column_count()))),
       moves_(moves) {
   pool.stop_if_cancelled();
   matrix_ = matrix_with(for_pairs, square);
@@ -22,18 +23,19 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
 
 BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix& square) const {
   std::vector<unsigned char> sizes;
-  for (Index v = 0; v < count_; ++v) {
-    sizes.push_back(static_cast<unsigned char>(move_count(v)));
-    if (v < inner_) sizes.push_back(1);
+  for (Index orbit = 0; orbit < count_; ++orbit) {
+    sizes.push_back(static_cast<unsigned char>(move_count(orbit)));
+    if (orbit < inner_) sizes.push_back(1);
   }
   sizes.resize(sizes.size() + 3 * jacobian_.holes().size(), 1);
   return {sizes, [&](const BlockMatrix::VisitPair& visit) {
             for_pairs([&](Index v, Index w) {
-              if (v < count_ && w < count_) visit(moves_of(v), moves_of(w));
+              const Index first = orbits_.orbit_of(v), second = orbits_.orbit_of(w);
+              if (first < count_ && second < count_) visit(moves_of(first), moves_of(second));
             });
-            for (Index v = 0; v < count_; ++v) {
+            for (Index v = 0; v < jacobian_.column_count(); ++v) {
               for (const AngleJacobian::Entry& entry : jacobian_.column(v))
-                visit(moves_of(v), multiplier_of(entry.row));
+                visit(moves_of(orbits_.orbit_of(v)), multiplier_of(orbits_.orbit_of(entry.row)));
             }
             for (int v = 0; v < square.outerSize(); ++v) {
               for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry)
@@ -44,29 +46,32 @@ BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix
 }
 
 std::vector<Index> KktSystem::elimination_order(const PatchState& state) const {
-  const auto vertex_of = [&](Index block) {
+  const auto orbit_of = [&](Index block) {
     return block < 2 * inner_ ? block / 2 : block - inner_;
   };
   std::vector<std::vector<Index>> neighbours(count_);
   const Index first_of_holes = inner_ + count_;
   for (Index block = 0; block < first_of_holes; ++block) {
-    const Index v = vertex_of(block);
+    const Index v = orbit_of(block);
     matrix_.for_pairs_of(block, [&](Index other, BlockMatrix::Pair) {
-      const Index w = vertex_of(other);
+      const Index w = orbit_of(other);
       if (other >= first_of_holes || v == w) return;
       neighbours[v].push_back(w);
       neighbours[w].push_back(v);
     });
   }
   Graph graph;
-  for (std::vector<Index>& of_vertex : neighbours) {
-    std::sort(of_vertex.begin(), of_vertex.end());
-    const auto end = std::unique(of_vertex.begin(), of_vertex.end());
-    graph.neighbours.insert(graph.neighbours.end(), of_vertex.begin(), end);
+  for (std::vector<Index>& of_orbit : neighbours) {
+    std::sort(of_orbit.begin(), of_orbit.end());
+    const auto end = std::unique(of_orbit.begin(), of_orbit.end());
+    graph.neighbours.insert(graph.neighbours.end(), of_orbit.begin(), end);
     graph.start.push_back(graph.neighbours.size());
   }
+  Positions places;
+  for (Index orbit = 0; orbit < count_; ++orbit)
+    places.push_back(state.position(orbits_.first_of(orbit)));
   std::vector<Index> order;
-  for (const Index v : nested_dissection(first_positions(state, count_), graph)) {
+  for (const Index v : nested_dissection(places, graph)) {
     for (int part = 0; part < move_count(v); ++part)
       order.push_back(static_cast<Index>(matrix_.unknown(moves_of(v), part)));
     if (v < inner_) order.push_back(static_cast<Index>(matrix_.unknown(multiplier_of(v), 0)));
@@ -78,13 +83,41 @@ std::vector<Index> KktSystem::elimination_order(const PatchState& state) const {
 }
 
 void KktSystem::clear(std::vector<Vec3> directions, double unit) {
-  directions_ = std::move(directions);
+  directions_ = directions_by_orbit(std::move(directions));
   unit_ = unit;
   matrix_.clear();
-  for (Index v = 0; v < count_; ++v) {
-    if (jacobian_.is_movable(v)) continue;
-    for (int part = 0; part < move_count(v); ++part)
-      *matrix_.own(moves_of(v), part) = 1.0;
+  hold_unused_moves();
+}
+
+/// On the plane a vertex moves along it: a direction nearly across it is none.
+std::vector<Vec3> KktSystem::directions_by_orbit(std::vector<Vec3> directions) const {
+  constexpr double least = 0.1;
+  if (!orbits_.is_symmetric() || directions.empty()) return directions;
+  const auto inner = static_cast<Index>(jacobian_.angle_count());
+  std::vector<Vec3> by_orbit;
+  for (Index orbit = 0; orbit < count_; ++orbit) {
+    if (move_count(orbit) != 1) continue;
+    const Index v = orbits_.first_of(orbit);
+    const Vec3 along =
+        orbits_.carried(v, directions[v < inner || moves_.inner == 1 ? v : v - inner]);
+    const double length = norm(along);
+    by_orbit.push_back(length < least ? Vec3{} : (1.0 / length) * along);
+  }
+  return by_orbit;
+}
+
+/// Unknowns in which nothing moves get 1 on the diagonal: those of what is held, and on the plane
+/// those across it.
+void KktSystem::hold_unused_moves() {
+  for (Index orbit = 0; orbit < count_; ++orbit) {
+    const Index v = orbits_.first_of(orbit), moves = moves_of(orbit);
+    const bool along_one = move_count(orbit) == 1;
+    if (!is_movable(v) || (along_one && direction(orbit) == Vec3{})) {
+      for (int part = 0; part < move_count(orbit); ++part)
+        *matrix_.own(moves, part) = 1.0;
+    } else if (orbits_.is_on_plane(v) && !along_one) {
+      add_own(orbit, 1.0, orbits_.normal());
+    }
   }
 }
 
@@ -102,16 +135,27 @@ void KktSystem::add_product(Index first, Index second, BlockMatrix::Pair pair, d
   }
 }
 
-void KktSystem::add_own(Index v, double scale, Vec3 g) {
-  add_vertex(v, {scale * g.x * g.x, scale * g.x * g.y, scale * g.x * g.z, scale * g.y * g.y,
-                 scale * g.y * g.z, scale * g.z * g.z});
+void KktSystem::add_own(Index orbit, double scale, Vec3 g) {
+  add_block(orbit, {scale * g.x * g.x, scale * g.x * g.y, scale * g.x * g.z, scale * g.y * g.y,
+                    scale * g.y * g.z, scale * g.z * g.z});
 }
 
 void KktSystem::add_vertex(Index v, const Block& block) {
-  if (!jacobian_.is_movable(v)) return;
-  const Index moves = moves_of(v);
-  if (move_count(v) == 1) {
-    const Vec3 a = direction(v);
+  if (!is_movable(v)) return;
+  if (!orbits_.is_symmetric()) return add_block(v, block);
+  const Vec3 x = orbits_.carried(v, {block.xx, block.xy, block.xz}),
+             y = orbits_.carried(v, {block.xy, block.yy, block.yz}),
+             z = orbits_.carried(v, {block.xz, block.yz, block.zz});
+  const Vec3 of_x = orbits_.carried(v, {x.x, y.x, z.x}), of_y = orbits_.carried(v, {x.y, y.y, z.y}),
+             of_z = orbits_.carried(v, {x.z, y.z, z.z});
+  add_block(orbits_.orbit_of(v), {of_x.x, of_x.y, of_x.z, of_y.y, of_y.z, of_z.z});
+}
+
+/// To what an orbit that may move has with itself.
+void KktSystem::add_block(Index orbit, const Block& block) {
+  const Index moves = moves_of(orbit);
+  if (move_count(orbit) == 1) {
+    const Vec3 a = direction(orbit);
     *matrix_.own(moves, 0) += a.x * (block.xx * a.x + 2.0 * (block.xy * a.y + block.xz * a.z)) +
                               a.y * (block.yy * a.y + 2.0 * block.yz * a.z) + a.z * block.zz * a.z;
     return;
@@ -126,36 +170,46 @@ void KktSystem::add_vertex(Index v, const Block& block) {
 }
 
 void KktSystem::add_scalar(Index v, Index w, BlockMatrix::Pair pair, double scale, double value) {
-  if (!jacobian_.is_movable(v) || !jacobian_.is_movable(w)) return;
-  if (v == w) {
-    for (int part = 0; part < move_count(v); ++part)
-      *matrix_.own(moves_of(v), part) += scale * value;
+  if (!is_movable(v) || !is_movable(w)) return;
+  const bool in_order = orbits_.orbit_of(v) < orbits_.orbit_of(w);
+  const Index a = in_order ? v : w, b = in_order ? w : v;
+  const Index first = orbits_.orbit_of(a), second = orbits_.orbit_of(b);
+  if (v == w && !orbits_.is_on_plane(v)) {
+    for (int part = 0; part < move_count(first); ++part)
+      *matrix_.own(moves_of(first), part) += scale * value;
     return;
   }
-  constexpr std::array<Vec3, 3> axes = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  const auto [first, second] = std::minmax(v, w);
+  // Of a vertex and its image there are two entries.
+  const double factor = first == second && v != w ? 2.0 * scale : scale;
   for (int column = 0; column < move_count(first); ++column) {
-    const std::array<double, 3> along = along_moves(
-        second, move_count(first) == 1 ? direction(first) : axes[static_cast<std::size_t>(column)]);
-    double* values = matrix_.entries(moves_of(first), pair, column);
-    for (std::size_t row = 0; row < static_cast<std::size_t>(move_count(second)); ++row)
-      values[row] += scale * along[row] * value;
+    const std::array<double, 3> along = along_moves_at(b, unit_move(a, column));
+    double* values = first == second ? matrix_.own(moves_of(first), column) - column
+                                     : matrix_.entries(moves_of(first), pair, column);
+    for (int row = first == second ? column : 0; row < move_count(second); ++row)
+      values[row] += factor * along[static_cast<std::size_t>(row)] * value;
   }
 }
 
-/// J is minus the Jacobian of the angle sums.
+Vec3 KktSystem::unit_move(Index v, int part) const {
+  constexpr std::array<Vec3, 3> axes = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  const Index orbit = orbits_.orbit_of(v);
+  return orbits_.carried(
+      v, move_count(orbit) == 1 ? direction(orbit) : axes[static_cast<std::size_t>(part)]);
+}
+
+/// J is minus the Jacobian of the angle sums. All of it is 0 before.
 void KktSystem::fill_jacobian() {
-  for (Index v = 0; v < count_; ++v) {
-    if (!jacobian_.is_movable(v)) continue;
-    const Index moves = moves_of(v);
+  for (Index v = 0; v < jacobian_.column_count(); ++v) {
+    if (!is_movable(v)) continue;
+    const Index orbit = orbits_.orbit_of(v), moves = moves_of(orbit);
     for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
-      const auto parts = along_moves(v, jacobian_.gradient(entry.entry));
-      const Index multiplier = multiplier_of(entry.row);
+      const auto parts = along_moves_at(v, jacobian_.gradient(entry.entry));
+      const Index multiplier = multiplier_of(orbits_.orbit_of(entry.row));
       const BlockMatrix::Pair pair = matrix_.pair_of(moves, multiplier);
-      for (int part = 0; part < move_count(v); ++part) {
+      for (int part = 0; part < move_count(orbit); ++part) {
         double& value = moves < multiplier ? *matrix_.entries(moves, pair, part)
                                            : matrix_.entries(multiplier, pair, 0)[part];
-        value = -unit_ * parts[static_cast<std::size_t>(part)];
+        value += -unit_ * parts[static_cast<std::size_t>(part)];
       }
     }
   }
@@ -183,25 +237,27 @@ Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& angle_
                            ThreadPool& pool, double accuracy) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.lower().rows());
   for (Index row = 0; row < jacobian_.row_count(); ++row)
-    right[matrix_.unknown(multiplier_of(row), 0)] = angle_change[row];
-  for (Index v = 0; v < count_; ++v) {
-    if (!jacobian_.is_movable(v)) continue;
-    const std::array<double, 3> parts = along_moves(v, force[v]);
-    for (int part = 0; part < move_count(v); ++part)
-      right[matrix_.unknown(moves_of(v), part)] = parts[static_cast<std::size_t>(part)];
+    right[matrix_.unknown(multiplier_of(orbits_.orbit_of(row)), 0)] += angle_change[row];
+  for (Index v = 0; v < jacobian_.column_count(); ++v) {
+    if (!is_movable(v)) continue;
+    const std::array<double, 3> parts = along_moves_at(v, force[v]);
+    const Index orbit = orbits_.orbit_of(v);
+    for (int part = 0; part < move_count(orbit); ++part)
+      right[matrix_.unknown(moves_of(orbit), part)] += parts[static_cast<std::size_t>(part)];
   }
   const Eigen::VectorXd solution = solver_->solve(matrix_.lower(), right, pool, accuracy);
-  Positions step(count_);
-  for (Index v = 0; v < count_; ++v) {
-    if (jacobian_.is_movable(v)) step[v] = move_of(v, solution);
+  Positions step(jacobian_.column_count());
+  for (Index v = 0; v < step.size(); ++v) {
+    if (is_movable(v)) step[v] = move_of(v, solution);
   }
   return step;
 }
 
 Vec3 KktSystem::move_of(Index v, const Eigen::VectorXd& solution) const {
-  const auto part = [&](int number) { return solution[matrix_.unknown(moves_of(v), number)]; };
-  if (move_count(v) == 1) return (unit_ * part(0)) * direction(v);
-  return unit_ * Vec3{part(0), part(1), part(2)};
+  const Index orbit = orbits_.orbit_of(v);
+  const auto part = [&](int number) { return solution[matrix_.unknown(moves_of(orbit), number)]; };
+  if (move_count(orbit) == 1) return (unit_ * part(0)) * orbits_.carried(v, direction(orbit));
+  return orbits_.carried(v, unit_ * Vec3{part(0), part(1), part(2)});
 }
 
 }  // namespace planish

@@ -129,6 +129,12 @@ Positions within_distance(Positions positions, const Positions& origin, std::siz
   return positions;
 }
 
+Positions symmetric_about(const Positions& origin, const MirrorOrbits& orbits,
+                          Positions positions) {
+  if (!orbits.is_symmetric()) return positions;
+  return sum_of(origin, 1.0, orbits.symmetric(sum_of(std::move(positions), -1.0, origin)));
+}
+
 Vec3 normal_at(Index v, const AngleJacobian& jacobian, const PatchState& state) {
   const auto ring = jacobian.ring(v);
   return vertex_normal(state.position(v), ring.size(),

@@ -10,6 +10,7 @@
 
 #include "energy/angle_jacobian.h"
 #include "evolve/state/patch_state.h"
+#include "mesh/symmetry/mirror_orbits.h"
 
 namespace planish {
 
@@ -68,6 +69,10 @@ std::size_t set_positions(const Positions& positions, const AngleJacobian& jacob
 /// @param inner_count how many of them are inner vertices: only these are limited
 Positions within_distance(Positions positions, const Positions& origin, std::size_t inner_count,
                           double distance);
+
+/// Positions whose moves from an origin are the means of these and of their mirror images; the same
+/// where the patch is not symmetric.
+Positions symmetric_about(const Positions& origin, const MirrorOrbits& orbits, Positions positions);
 
 /// The unit normal of an inner vertex, its triangles weighing as their areas; zero where they
 /// cancel.

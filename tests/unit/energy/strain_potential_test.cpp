@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <planish/mesh/shapes.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
 
@@ -41,6 +42,27 @@ struct Laid {
   PatchState state;
   AngleJacobian jacobian;
 };
+
+TEST(StrainPotential, IsThatOfTheWholeWhereHalfIsSolvedFor) {
+  const Plane plane{{0.9, 0.2, -0.1}, 3.0};
+  const SymmetricMesh made =
+      symmetric_mesh(Patch(make_shape("panel", 300)), plane, MirrorSide::above);
+  Laid laid(made.mesh);
+  const PatchState state(laid.surface, laid.pool, {},
+                         mirror_orbits(made.mesh, symmetry_in(laid.surface, plane)));
+  const MirrorOrbits& orbits = state.orbits();
+  ASSERT_TRUE(orbits.is_symmetric());
+  const VectorXd d = laid.defects();
+  for (const BoundaryCondition border : {BoundaryCondition::free, BoundaryCondition::dirichlet}) {
+    StrainPotential whole(laid.jacobian, all_positions(state), laid.pool, border),
+        half(laid.jacobian, all_positions(state), laid.pool, border, Precision::full, orbits);
+    EXPECT_LT(2 * half.square().cols(), laid.count() + 40);
+    const VectorXd expected = whole.of(d, laid.pool);
+    EXPECT_LT((half.of(d, laid.pool) - expected).norm(), 1e-9 * expected.norm());
+    half.update(all_positions(state), laid.pool);
+    EXPECT_LT((half.of(d, laid.pool) - expected).norm(), 1e-9 * expected.norm());
+  }
+}
 
 TEST(StrainPotential, HasTheGradientOfDifferenceQuotients) {
   Laid laid(make_shape("panel", 200));

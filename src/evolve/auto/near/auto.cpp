@@ -47,7 +47,8 @@ class AutoStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, k_coarsest, pool),
+        // Of the whole: on halves some patches end twice as far from the design.
+        levels_(state, k_coarsest, {}, pool),
         level_(levels_.coarsest()) {
     open_level();
     descent_->start(k_cold_start);

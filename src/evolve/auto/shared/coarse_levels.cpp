@@ -1,11 +1,12 @@
 #include "evolve/auto/shared/coarse_levels.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "evolve/auto/shared/tuning.h"
 #include "evolve/state/fixed_marks.h"
-#include "mesh/coarsen/coarsen.h"
+#include "mesh/symmetry/coarsen_mirrored.h"
 
 namespace planish {
 
@@ -42,25 +43,31 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
 
 }  // namespace
 
-CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small, const ThreadPool& pool) {
+CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small, MirrorOrbits orbits,
+                           const ThreadPool& pool) {
   if (patch.inner_count() < small) return;
   Patch fine(sorted_mesh(patch));
   if (!can_be_coarsened(fine)) return;
   Constraints constraints = constraints_of(patch);
   while (fine.vertex_count() > small) {
-    const std::size_t count = fine.vertex_count();
-    CoarsePatch coarse = coarsen(fine, count / tuning::k_thinning, CoarseBorder::thinned,
-                                 fixed_marks(constraints, count), &pool);
+    const std::size_t count = fine.vertex_count(), wanted = count / tuning::k_thinning;
+    const std::vector<unsigned char> kept = fixed_marks(constraints, count);
+    std::optional<CoarsePatch> mirrored =
+        coarsen_mirrored(fine, orbits, wanted, CoarseBorder::thinned, kept, &pool);
+    if (!mirrored) orbits = {};
+    CoarsePatch coarse =
+        mirrored ? *std::move(mirrored) : coarsen(fine, wanted, CoarseBorder::thinned, kept, &pool);
     if (2 * coarse.source.size() > count) break;  // no worthwhile step
     fine = Patch(std::move(coarse.mesh));
+    orbits = orbits.of_part(coarse.source);
     constraints = restricted_to(constraints, coarse.source);
-    levels_.push_back({fine, std::move(coarse.source), constraints});
+    levels_.push_back({fine, std::move(coarse.source), constraints, orbits});
   }
 }
 
 std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPool& pool) const {
   const Level& made = levels_[level - 1];
-  return std::make_unique<PatchState>(made.patch, pool, made.constraints);
+  return std::make_unique<PatchState>(made.patch, pool, made.constraints, made.orbits);
 }
 
 void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const FairnessEnergy& cost,

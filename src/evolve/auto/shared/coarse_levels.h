@@ -17,7 +17,9 @@ namespace planish {
 class CoarseLevels {
  public:
   /// @param small patches of so many vertices have no coarser level
-  CoarseLevels(const PatchState& patch, std::size_t small, const ThreadPool& pool);
+  /// @param orbits levels are to have them too, where they can: those of the patch, or none
+  CoarseLevels(const PatchState& patch, std::size_t small, MirrorOrbits orbits,
+               const ThreadPool& pool);
 
   /// Of the coarsest level; 0 where the patch is small.
   std::size_t coarsest() const { return levels_.size(); }
@@ -36,6 +38,7 @@ class CoarseLevels {
     Patch patch;
     std::vector<Index> source;  ///< vertex -> vertex of the level before
     Constraints constraints;
+    MirrorOrbits orbits;
   };
   std::vector<Level> levels_;  // from fine to coarse
 };

@@ -69,7 +69,7 @@ class SmoothStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, coarsest_of(options), pool),
+        levels_(state, coarsest_of(options), state.orbits(), pool),
         level_(levels_.coarsest()) {
     open_level();
     if (descent_->solvable())

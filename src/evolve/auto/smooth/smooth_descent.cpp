@@ -102,9 +102,10 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       proximity_(weights_of(state, border_.vertex_count())),
       guard_(state.triangles(), origin_, limits.angle),
       potential_(jacobian_, all_positions(state), pool, BoundaryCondition::free,
-                 potential_precision(state.inner_count())),
+                 potential_precision(state.inner_count()), state.orbits()),
       system_(jacobian_, state, pairs_of_terms(), potential_.square(),
-              {.inner = along_lines_ ? 1 : 3}, step_precision(state.inner_count()), pool),
+              {.inner = along_lines_ ? 1 : 3}, step_precision(state.inner_count()), pool,
+              state.orbits()),
       area_shares_(area_shares(guard_.triangles(), origin_)),
       unit_(mean_edge(jacobian_, state)),
       barrier_(barrier_of(limits, border_, state.inner_count())),
@@ -272,10 +273,12 @@ void SmoothDescent::assemble_moves(Positions& force) {
   }
 }
 
-/// The nearest positions that limits of distance and the rule of the border allow.
+/// The nearest positions that limits of distance, the rule of the border and symmetry allow.
 Positions SmoothDescent::within_limits(Positions positions) const {
   border_.restrict(positions);
-  return within_distance(std::move(positions), origin_, state_.inner_count(), limits_.deviation);
+  return symmetric_about(
+      origin_, state_.orbits(),
+      within_distance(std::move(positions), origin_, state_.inner_count(), limits_.deviation));
 }
 
 bool SmoothDescent::angles_hold() {

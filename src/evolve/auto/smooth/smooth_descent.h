@@ -40,7 +40,8 @@ struct SmoothWeights {
 /// from flat, the second term that of Proximity, n the vertices x has, so the border's too where it
 /// may move, D the diagonal (of a rectangle that is as far spread), G of ShapeGuard, MoveBarrier
 /// and LineBending, phi the N values of StrainPotential with a free border. The weights of hinges
-/// and the matrix K of phi are those of the patch before a step, renewed after it.
+/// and the matrix K of phi are those of the patch before a step, renewed after it. What has
+/// orbits (PatchState::orbits()) stays its own mirror image.
 class SmoothDescent {
  public:
   /// @param state as it was at first or later; must outlive it, as must the pool

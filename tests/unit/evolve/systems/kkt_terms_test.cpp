@@ -1,10 +1,12 @@
 // Terms of several vertices, with directions that are given or not.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include <planish/mesh/shapes.h>
+#include <planish/mesh/symmetry.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -12,6 +14,7 @@
 #include "energy/hinge_bending.h"
 #include "energy/shape_guard.h"
 #include "energy/strain_potential.h"
+#include "evolve/state/mirror_orbits_of.h"
 #include "evolve/systems/kkt_system.h"
 #include "support/meshes.h"
 
@@ -21,7 +24,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double k_own = 0.7, k_c = 0.02;
+constexpr double k_own = 0.7, k_c = 0.02, k_spring = 0.2;
 constexpr KktSystem::Moves k_along_lines = {.inner = 1};
 
 /// The same system as a dense matrix: unknowns are the coordinates of all vertices that are columns
@@ -37,8 +40,11 @@ struct Dense {
     matrix = MatrixXd::Zero(columns + rows, columns + rows);
     for (std::size_t h = 0; h < hinges.size(); ++h)
       add(hinges.stencil(h), 1.5, hinges.summand(h, x).gradient);
-    for (std::size_t e = 0; e < guard.edge_count(); ++e)
+    for (std::size_t e = 0; e < guard.edge_count(); ++e) {
       add(guard.edge(e), 2.5, guard.edge_summand(e, x).gradient);
+      for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+        add(guard.edge(e), k_spring, std::array{axis, -axis});
+    }
     matrix.topLeftCorner(columns, columns).diagonal().array() += k_own;
     for (Index v = 0; v < jacobian.column_count(); ++v) {
       for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
@@ -73,14 +79,24 @@ struct Dense {
   }
 };
 
-/// Of unit length, one for each inner vertex.
-Positions some_lines(const AngleJacobian& jacobian) {
+/// Of unit length, one for each inner vertex; symmetric where the orbits are.
+Positions some_lines(const AngleJacobian& jacobian, const MirrorOrbits& orbits) {
   Positions lines;
   for (Index v = 0; v < jacobian.angle_count(); ++v) {
-    const Vec3 n = {0.3, 0.1 * static_cast<double>(v % 7) - 0.3, 1.0};
-    lines.push_back((1.0 / norm(n)) * n);
+    const Vec3 n = {0.3, 0.1 * static_cast<double>(orbits.orbit_of(v) % 7) - 0.3, 1.0},
+               carried = orbits.carried(v, n);
+    lines.push_back((1.0 / norm(carried)) * carried);
   }
   return lines;
+}
+
+/// Turns of the same size at the vertices of an orbit.
+VectorXd some_turns(const AngleJacobian& jacobian, const MirrorOrbits& orbits) {
+  VectorXd turns(static_cast<Eigen::Index>(jacobian.row_count()));
+  for (Eigen::Index row = 0; row < turns.size(); ++row)
+    turns[row] =
+        0.4 * orbits.orbit_of(static_cast<Index>(row)) / static_cast<double>(turns.size()) - 0.1;
+  return turns;
 }
 
 /// From the coordinates of all vertices to the unknowns where inner vertices move along lines.
@@ -105,13 +121,18 @@ void expect_solved_as_dense(const Constraints& constraints,
                             const TriMesh& mesh = make_shape("panel", 100)) {
   const Patch patch(mesh);
   ThreadPool pool(1);
-  const PatchState state(patch, pool, constraints);
+  const Symmetry symmetry =
+      constraints.symmetric_in ? symmetry_in(patch, *constraints.symmetric_in) : Symmetry{};
+  const PatchState state(patch, pool, constraints, mirror_orbits_of(patch, symmetry, constraints));
   AngleJacobian jacobian = angle_jacobian_of(state, border_movable, hole_borders_of(state));
   jacobian.update(state.positions(), pool);
   const Positions x = first_positions(state, state.vertex_count());
   const HingeBending hinges(Patch(mesh_at_first(state)), x, 1.0);
   const ShapeGuard guard(state.triangles(), x, 0.05);
-  StrainPotential potential(jacobian, x, pool, BoundaryCondition::free);
+  const MirrorOrbits& orbits = state.orbits();
+  ASSERT_EQ(orbits.is_symmetric(), constraints.symmetric_in.has_value());
+  StrainPotential whole(jacobian, x, pool, BoundaryCondition::free);
+  StrainPotential potential(jacobian, x, pool, BoundaryCondition::free, Precision::full, orbits);
   const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for (std::size_t h = 0; h < hinges.size(); ++h) {
       const auto& corners = hinges.stencil(h);
@@ -119,31 +140,36 @@ void expect_solved_as_dense(const Constraints& constraints,
         visit(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
     }
   };
-  KktSystem system(jacobian, state, for_pairs, potential.square(), moves, Precision::full, pool);
-  const Positions lines = moves.inner == 1 ? some_lines(jacobian) : Positions{};
+  KktSystem system(jacobian, state, for_pairs, potential.square(), moves, Precision::full, pool,
+                   orbits);
+  const Positions lines = moves.inner == 1 ? some_lines(jacobian, orbits) : Positions{};
   system.clear(lines);
   for (std::size_t h = 0; h < hinges.size(); ++h)
     system.add_term(hinges.stencil(h), 1.5, hinges.summand(h, x).gradient);
   std::vector<BlockMatrix::Pair> pairs;
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
     system.append_pairs(guard.edge(e), pairs);
-  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+  for (std::size_t e = 0; e < guard.edge_count(); ++e) {
+    const auto [v, w] = guard.edge(e);
     system.add_term(guard.edge(e), pairs.data() + e, 2.5, guard.edge_summand(e, x).gradient);
+    system.add_scalar(v, v, BlockMatrix::k_none, k_spring, 1.0);
+    system.add_scalar(w, w, BlockMatrix::k_none, k_spring, 1.0);
+    system.add_scalar(v, w, pairs[e], k_spring, -1.0);
+  }
   for (Index v = 0; v < jacobian.column_count(); ++v)
     system.add_vertex(v, {k_own, 0, 0, k_own, 0, k_own});
   ASSERT_TRUE(system.factor(potential.square(), k_c, pool));
 
-  const Dense dense(jacobian, hinges, guard, potential.square(), x);
+  const Dense dense(jacobian, hinges, guard, whole.square(), x);
   Positions force(jacobian.column_count());
   VectorXd right = VectorXd::Zero(dense.matrix.rows());
   for (Index v = 0; v < force.size(); ++v) {
     if (!jacobian.is_movable(v)) continue;
-    const auto k = static_cast<double>(v);
-    force[v] = {0.1 * k - 1.0, 2.0 - 0.03 * k, 0.5};
+    const auto k = static_cast<double>(orbits.orbit_of(v));
+    force[v] = orbits.carried(v, {0.1 * k - 1.0, 2.0 - 0.03 * k, 0.5});
     right.segment<3>(3 * static_cast<Eigen::Index>(v)) << force[v].x, force[v].y, force[v].z;
   }
-  const VectorXd turn =
-      VectorXd::LinSpaced(static_cast<Eigen::Index>(jacobian.row_count()), -0.1, 0.3);
+  const VectorXd turn = some_turns(jacobian, orbits);
   right.tail(turn.size()) = turn;
   const Positions step = system.solve(force, turn, pool, 1e-12);
   const MatrixXd onto = lines.empty() ? MatrixXd::Identity(right.size(), right.size())
@@ -152,9 +178,9 @@ void expect_solved_as_dense(const Constraints& constraints,
   const VectorXd expected = onto.transpose() * matrix.fullPivLu().solve(onto * right);
   for (Index v = 0; v < step.size(); ++v) {
     const auto at = 3 * static_cast<Eigen::Index>(v);
-    EXPECT_NEAR(step[v].x, expected[at], 1e-9) << v;
-    EXPECT_NEAR(step[v].y, expected[at + 1], 1e-9) << v;
-    EXPECT_NEAR(step[v].z, expected[at + 2], 1e-9) << v;
+    EXPECT_NEAR(step[v].x, expected[at], 1e-10) << v;
+    EXPECT_NEAR(step[v].y, expected[at + 1], 1e-10) << v;
+    EXPECT_NEAR(step[v].z, expected[at + 2], 1e-10) << v;
   }
 }
 
@@ -186,6 +212,28 @@ TEST(KktSystem, MovesTheBorderWhereItMay) {
 
 TEST(KktSystem, MovesInnerVerticesAlongLinesWhereAskedTo) {
   expect_solved_as_dense({}, {}, k_along_lines);
+}
+
+TEST(KktSystem, FindsTheSymmetricMovesOfTheWholeFromHalf) {
+  for (const Vec3 normal : {Vec3{1.0, 0.0, 0.0}, Vec3{0.9, 0.2, -0.1}}) {
+    const TriMesh hill = meshes::height_field(
+        6, 6, [](double x, double y) { return 0.1 * x * (6.0 - x) + 0.02 * y * y; });
+    const Plane plane{normal, dot(normal, Vec3{3.0, 3.0, 0.5})};
+    const SymmetricMesh made = symmetric_mesh(Patch(hill), plane, MirrorSide::above);
+    const Patch patch(made.mesh);
+    std::vector<unsigned char> movable;
+    for (const auto& loop : patch.border_loops()) {
+      for (const Index v : loop)
+        movable.push_back(std::min(v, made.image[v]) % 3 != 0 ? 1 : 0);
+    }
+    const Index inner = patch.inner_vertices()[4];
+    ASSERT_NE(inner, made.image[inner]);
+    for (const KktSystem::Moves moves : {KktSystem::Moves{}, k_along_lines}) {
+      expect_solved_as_dense({.symmetric_in = plane}, {}, moves, made.mesh);
+      expect_solved_as_dense({.fixed = {inner, made.image[inner]}, .symmetric_in = plane}, movable,
+                             moves, made.mesh);
+    }
+  }
 }
 
 TEST(KktSystem, HasThreeRowsForEachHole) {

@@ -54,6 +54,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"compare", {"compare", "panel.obj", "-o", "compared", "--methods", "fairing"}},
       {"frontier", {"frontier", "panel.obj", "--methods", "fairing"}},
       {"suggest-cuts", {"suggest-cuts", "panel.obj", "--max-strain", "50%"}},
+      {"panels", {"panels", "panel.obj", "--effort", "1"}},
       {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},

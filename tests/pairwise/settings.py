@@ -6,6 +6,7 @@ choices two that are not the default are taken, and every other flag needs a row
 VALUES = {
     "--scale": ["2"],
     "--cut": ["cut.txt"],
+    "--effort": ["1"],
     "--smooth-first": ["4"],
     "--pick": ["1", "3", "6"],
     "--formats": ["svg", "dxf,plt", "pdf,dxf"],

@@ -112,7 +112,7 @@ std::string panels_json(const PanelSuggestion& found, const Arguments& arguments
 
 CommandResult run_panels(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
-  limits_from(arguments);
+  panel_options_from(arguments);
   const auto paths = panel_paths(arguments);
   const std::string& path = arguments.operands.front();
   const Patch patch(read_whole(path, arguments, session));
@@ -149,7 +149,12 @@ Command panels_command() {
       "nothing is written. Ends with exit code 3 where no division keeps the limit.",
       {"PRODUCT"},
       {{"Output",
-        {{"--output", "LINES", "the seams as lines: .obj", 'o', false, {.extensions = {"obj"}}},
+        {{"--output",
+          "LINES",
+          "the seams as lines: .obj",
+          'o',
+          false,
+          {.type = ValueType::file, .extensions = {"obj"}}},
          {"--apply",
           "FILE",
           "the product cut open: .obj, .ply, .stl or .off",

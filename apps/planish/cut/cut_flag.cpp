@@ -32,7 +32,7 @@ std::vector<Flag> cut_flags() {
       "--cut", "LINES",
       "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
       "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups, "
-      "open, or auto: into panels that keep the limit of strain; may be repeated"};
+      "open or auto (panels); may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
@@ -338,6 +338,8 @@ CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits) {
   const bool opens = asks_to_open(arguments);
+  panel_options_from(arguments);  // what is wrong with them is told before any work
+  if (!asks_for_panels(arguments)) note_idle_panel_flags(arguments, session);
   if (arguments.has("--avoid") && !opens)
     throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");
   const bool is_symmetric = asks_for_symmetry(arguments);

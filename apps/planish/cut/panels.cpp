@@ -1,6 +1,8 @@
 #include "cut/panels.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include <planish/mesh/cut.h>
@@ -56,13 +58,24 @@ std::vector<Flag> panel_flags() {
            {.range = k_moves, .standard = std::to_string(k_usual_moves)}}};
 }
 
-PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
-                                const Arguments& arguments, Session& session) {
+PanelOptions panel_options_from(const Arguments& arguments) {
   PanelOptions options;
   if (const StrainLimits limits = limits_from(arguments); limits.any()) options.limits = limits;
   options.prefer = preference_from(arguments);
   options.moves = static_cast<std::size_t>(whole_number_of(
       "--effort", arguments.value("--effort", static_cast<int>(k_usual_moves)), k_moves));
+  return options;
+}
+
+void note_idle_panel_flags(const Arguments& arguments, Session& session) {
+  for (const char* flag : {"--prefer-cuts", "--effort"}) {
+    if (arguments.has(flag)) session.note(std::string(flag) + " has no effect without --cut auto");
+  }
+}
+
+PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
+                                const Arguments& arguments, Session& session) {
+  PanelOptions options = panel_options_from(arguments);
   const Unit unit = unit_from(arguments);
   options.on_better = [&](const PanelSuggestion& better) {
     session.tell(path + ": " + panels_words(better, unit) +

@@ -15,9 +15,15 @@ namespace planish::cli {
 /// --prefer-cuts and --effort.
 std::vector<Flag> panel_flags();
 
-/// Divides a product so that each piece keeps the limits of the flags, or 2 % rms where they name
-/// none. Says each better answer as it is found; where the user asks to stop, the best one counts
-/// and the run goes on.
+/// What the flags ask for: limits of strain, 2 % rms where there is none, and panel_flags().
+/// @throws UsageError, Error option_out_of_range
+PanelOptions panel_options_from(const Arguments& arguments);
+
+/// Notes flags of panels where nothing is divided into any.
+void note_idle_panel_flags(const Arguments& arguments, Session& session);
+
+/// Divides a product as panel_options_from() says. Says each better answer as it is found; where
+/// the user asks to stop, the best one counts and the run goes on.
 /// @param path of the product, for the line of progress
 /// @throws Error as suggest_panels(); UsageError; Cancelled before there is an answer
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,

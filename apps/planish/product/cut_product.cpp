@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cut/panels.h"
 #include "cut/requested_lines.h"
 #include "cut/symmetric_design.h"
 #include "mesh/split.h"
@@ -105,7 +106,11 @@ void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
 std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
                                       Session& session) {
   const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
-  if (!is_symmetric && !is_cut && !has_to_be_divided(input)) return std::nullopt;
+  panel_options_from(arguments);
+  if (!is_symmetric && !is_cut && !has_to_be_divided(input)) {
+    note_idle_panel_flags(arguments, session);
+    return std::nullopt;
+  }
   const bool are_several = input.patches.size() > 1 || input.is_described;
   if (are_several && (is_symmetric || asks_for_lines(arguments))) {
     throw UsageError(

@@ -29,6 +29,8 @@ def evolve(
     keep_small: Optional[bool] = None,
     symmetric: Optional[str] = None,
     mirror_surface: Optional[bool] = None,
+    prefer_cuts: Optional[str] = None,
+    effort: Optional[int] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -82,7 +84,8 @@ def evolve(
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
+            strain; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -92,6 +95,9 @@ def evolve(
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines
+        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
+            inside a piece); default few
+        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -180,6 +186,8 @@ def evolve_sweeps(
     keep_small: Optional[bool] = None,
     symmetric: Optional[str] = None,
     mirror_surface: Optional[bool] = None,
+    prefer_cuts: Optional[str] = None,
+    effort: Optional[int] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -230,7 +238,8 @@ def evolve_sweeps(
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
+            strain; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -240,6 +249,9 @@ def evolve_sweeps(
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines
+        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
+            inside a piece); default few
+        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)

@@ -43,6 +43,8 @@ def flatten(
     keep_small: Optional[bool] = None,
     symmetric: Optional[str] = None,
     mirror_surface: Optional[bool] = None,
+    prefer_cuts: Optional[str] = None,
+    effort: Optional[int] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
@@ -135,7 +137,8 @@ def flatten(
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
+            strain; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -145,6 +148,9 @@ def flatten(
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines
+        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
+            inside a piece); default few
+        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)

@@ -38,6 +38,8 @@ def flatten_product(
     avoid: Optional[str] = None,
     symmetric: Optional[str] = None,
     mirror_surface: Optional[bool] = None,
+    prefer_cuts: Optional[str] = None,
+    effort: Optional[int] = None,
     divide: Optional[Literal["objects", "materials", "parts"]] = None,
     only: Optional[str | Sequence[str]] = None,
     without: Optional[str | Sequence[str]] = None,
@@ -137,6 +139,9 @@ def flatten_product(
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines
+        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
+            inside a piece); default few
+        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
         divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
             together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between

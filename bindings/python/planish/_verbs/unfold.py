@@ -29,6 +29,8 @@ def unfold(
     keep_small: Optional[bool] = None,
     symmetric: Optional[str] = None,
     mirror_surface: Optional[bool] = None,
+    prefer_cuts: Optional[str] = None,
+    effort: Optional[int] = None,
     paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
     map: Optional[bool] = None,
     only_layers: Optional[str | Sequence[str]] = None,
@@ -73,7 +75,8 @@ def unfold(
         least_stretch: the pattern of least stretch; without it, up to 6 % more rms strain make the largest strains as
             small as they get
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups or open; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
+            strain; may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -83,6 +86,9 @@ def unfold(
         symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
         mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
             lines
+        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
+            inside a piece); default few
+        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,

@@ -102,6 +102,20 @@ void set_edges(const PanelMesh& mesh, const std::vector<Index>& path, OpenEdges&
   }
 }
 
+/// An open edge that meets neither another one nor the border opens nothing.
+void close_lone_edges(const PanelMesh& mesh, OpenEdges& open) {
+  std::vector<int> open_at(mesh.patch().positions().size(), 0);
+  for (Index e = 0; e < open.size(); ++e) {
+    for (const Index v : mesh.edges()[e].ends)
+      open_at[v] += open[e] != 0 ? 1 : 0;
+  }
+  const auto is_met = [&](Index v) { return open_at[v] > 1 || mesh.patch().is_border(v); };
+  for (Index e = 0; e < open.size(); ++e) {
+    const auto& [v, w] = mesh.edges()[e].ends;
+    if (open[e] != 0 && !is_met(v) && !is_met(w)) open[e] = 0;
+  }
+}
+
 }  // namespace
 
 CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> lines,
@@ -120,6 +134,7 @@ CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> li
     if (open[e] != 0 && parts[sides[0]] != parts[sides[1]] && joined[sides[0]] == joined[sides[1]])
       open[e] = 0;
   }
+  close_lone_edges(mesh, open);
   std::vector<SeamChain> chains = seam_chains(mesh, seams);
   return {{std::move(mesh), std::move(seams), std::move(chains)}, std::move(open)};
 }

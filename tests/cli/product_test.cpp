@@ -8,7 +8,7 @@
 #include "cli_run.h"
 #include "mesh/split.h"
 #include "platform/path.h"
-#include "product/safe_names.h"
+#include "shell/safe_names.h"
 #include "support/meshes.h"
 #include "support/products.h"
 

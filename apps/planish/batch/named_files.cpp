@@ -4,9 +4,9 @@
 
 #include "platform/path.h"
 #include "product/parts.h"
-#include "product/safe_names.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
+#include "shell/safe_names.h"
 
 namespace planish::cli {
 

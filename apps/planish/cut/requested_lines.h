@@ -34,7 +34,8 @@ bool asks_for_panels(const Arguments& arguments);
 /// Whether a value of --cut is anything else.
 bool asks_for_lines(const Arguments& arguments);
 
-/// The lines of all values of --cut but `open` and `auto`: rows, files, and what words ask for, docs/lines.md.
+/// The lines of all values of --cut but `open` and `auto`: rows, files, and what words ask for,
+/// docs/lines.md.
 /// @param patch in the coordinates of its file
 /// @param path of that file
 /// @throws Error misplaced_cut, or as read_cut_lines(); UsageError

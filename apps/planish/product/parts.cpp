@@ -15,9 +15,9 @@
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/read_pieces.h"
-#include "product/safe_names.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
+#include "shell/safe_names.h"
 #include "shell/text.h"
 #include "shell/values.h"
 

@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "product/safe_names.h"
 #include "shell/failures.h"
+#include "shell/safe_names.h"
 #include "shell/values.h"
 
 namespace planish::cli {

@@ -25,11 +25,11 @@
 #include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
-#include "product/safe_names.h"
 #include "product/seams.h"
 #include "product/text.h"
 #include "shell/failures.h"
 #include "shell/output_folder.h"
+#include "shell/safe_names.h"
 
 namespace planish::python {
 

@@ -1,4 +1,4 @@
-#include "product/safe_names.h"
+#include "shell/safe_names.h"
 
 #include <algorithm>
 #include <array>

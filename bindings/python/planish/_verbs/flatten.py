@@ -137,8 +137,7 @@ def flatten(
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
-            strain; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open or auto (panels); may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or

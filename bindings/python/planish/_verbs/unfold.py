@@ -75,8 +75,7 @@ def unfold(
         least_stretch: the pattern of least stretch; without it, up to 6 % more rms strain make the largest strains as
             small as they get
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
-            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open, or auto: into panels that keep the limit of
-            strain; may be repeated
+            "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open or auto (panels); may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
         smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or

@@ -289,30 +289,30 @@ TEST_F(Product, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
 }
 
 TEST_F(Product, GoesOnWhereOnePatchIsBad) {
-  NamedPatch tube = {"tube", meshes::tube(8, 3), {}};
-  write_product("coat.obj", {sample("front", "dome", 300), tube, sample("back", "saddle", 300)});
+  const NamedPatch fins = {"fins", meshes::fins(), {}};
+  write_product("coat.obj", {sample("front", "dome", 300), fins, sample("back", "saddle", 300)});
   const CliResult result = flatten_product("coat.obj", "out");
   EXPECT_EQ(result.exit_code, k_exit_failed);
-  EXPECT_THAT(result.err, HasSubstr("error: 1 of 3 patches could not be flattened: tube\n"));
-  const std::string reason = "the surface is a tube";
+  EXPECT_THAT(result.err, HasSubstr("error: 1 of 3 patches could not be flattened: fins\n"));
+  const std::string reason = "more than two triangles";
   EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
   EXPECT_EQ(result.err.find(reason), result.err.rfind(reason)) << "given once: " << result.err;
   EXPECT_TRUE(std::filesystem::exists("out/front/pattern.svg"));
   EXPECT_TRUE(std::filesystem::exists("out/back/pattern.svg"));
-  EXPECT_FALSE(std::filesystem::exists("out/tube"));
+  EXPECT_FALSE(std::filesystem::exists("out/fins"));
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
-  EXPECT_EQ(json["patches"][1]["error"]["code"], "several_border_loops");
+  EXPECT_EQ(json["patches"][1]["error"]["code"], "non_manifold_edge");
   EXPECT_TRUE(json["patches"][0]["error"].is_null());
 }
 
 TEST_F(Product, WritesNothingWhereEveryPatchIsBad) {
-  write_product("tubes.obj", {{"one", meshes::tube(8, 3), {}}, {"two", meshes::tube(6, 3), {}}});
-  const CliResult result = flatten_product("tubes.obj", "out", {"--json"});
+  write_product("fins.obj", {{"one", meshes::fins(), {}}, {"two", meshes::fins(), {}}});
+  const CliResult result = flatten_product("fins.obj", "out", {"--json"});
   EXPECT_EQ(result.exit_code, k_exit_failed);
   EXPECT_THAT(result.err, HasSubstr("error: 2 of 2 patches could not be flattened: one, two\n"));
   EXPECT_FALSE(std::filesystem::exists("out"));
   const auto json = result.json();
-  EXPECT_EQ(json["patches"][0]["error"]["code"], "several_border_loops");
+  EXPECT_EQ(json["patches"][0]["error"]["code"], "non_manifold_edge");
   EXPECT_TRUE(json["nesting"].is_null());
 }
 

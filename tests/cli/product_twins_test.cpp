@@ -240,7 +240,7 @@ TEST_F(ProductTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
 }
 
 TEST_F(ProductTwinsTest, AreWorkedOnAloneWhereTheOtherOneFails) {
-  write_product("coat.obj", {{"left", meshes::tube(8, 3), {}}, {"right", meshes::tube(8, 3), {}}});
+  write_product("coat.obj", {{"left", meshes::fins(), {}}, {"right", meshes::fins(), {}}});
   const CliResult result = flatten_coat("out");
   EXPECT_EQ(result.exit_code, k_exit_failed);
   EXPECT_THAT(result.err, HasSubstr("could not be flattened: left, right\n"));

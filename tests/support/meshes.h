@@ -212,6 +212,12 @@ inline TriMesh soup_of(const TriMesh& mesh) {
 
 using Place = std::function<Vec3(double, double)>;
 
+/// Three triangles at one edge, which is no manifold.
+inline TriMesh fins() {
+  return {{{50, 0, 0}, {51, 0, 0}, {50, 1, 0}, {50, 0, 1}, {50, -1, 0}},
+          {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+}
+
 /// A grid of unit cells without some of them, each vertex where `place` puts it.
 inline TriMesh perforated(std::size_t columns, std::size_t rows,
                           const std::set<std::size_t>& without, const Place& place) {

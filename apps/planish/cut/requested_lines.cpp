@@ -250,6 +250,7 @@ bool asks_for_panels(const Arguments& arguments) {
 }
 
 bool asks_for_lines(const Arguments& arguments) {
+  if (!arguments.has("--cut")) return false;
   if (arguments.rows.contains("--cut")) return true;
   const std::vector<std::string> values = all_values(arguments);
   return std::any_of(values.begin(), values.end(), is_line);

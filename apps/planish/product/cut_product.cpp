@@ -1,10 +1,13 @@
 #include "product/cut_product.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <planish/mesh/inspect.h>
 
 #include "cut/panels.h"
 #include "cut/requested_lines.h"
@@ -19,9 +22,26 @@ namespace {
 
 constexpr std::size_t k_most_pieces = 64;  // that --cut open makes of a part
 
+/// Vertices less edges plus triangles: 1 of a disk.
+std::ptrdiff_t euler_characteristic(const TriMesh& mesh) {
+  std::vector<Index> vertices;
+  std::vector<std::pair<Index, Index>> edges;
+  for (const Triangle& t : mesh.triangles) {
+    vertices.insert(vertices.end(), t.begin(), t.end());
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back(std::minmax({t[k], t[(k + 1) % 3]}));
+  }
+  const auto distinct = [](auto& all) {
+    std::sort(all.begin(), all.end());
+    return std::unique(all.begin(), all.end()) - all.begin();
+  };
+  return distinct(vertices) - distinct(edges) + std::ssize(mesh.triangles);
+}
+
 /// Why a sound surface has to be divided before it is laid flat; nothing where it need not.
-std::string reason_to_divide(const Patch& patch) {
-  const Inspection& inspection = patch.inspection();
+std::string reason_to_divide(const TriMesh& mesh) {
+  if (euler_characteristic(mesh) == 1) return {};  // which spares looking closer at most patches
+  const Inspection inspection = inspect(mesh);
   if (blocking_problem(inspection, Purpose::measure)) return {};
   const auto problem = blocking_problem(inspection, Purpose::unfold);
   if (!problem) return {};
@@ -39,12 +59,27 @@ std::string reason_to_divide(const Patch& patch) {
 
 /// Whether a patch of the input cannot be laid flat undivided.
 bool has_to_be_divided(const ProductInput& input) {
-  const auto divides = [](const TriMesh& mesh) { return !reason_to_divide(Patch(mesh)).empty(); };
+  const auto divides = [](const TriMesh& mesh) { return !reason_to_divide(mesh).empty(); };
   if (input.patches.size() == 1 && !input.is_described)
     return !input.patches.front().failure && divides(input.whole.mesh);
   return std::any_of(input.patches.begin(), input.patches.end(), [&](const ProductPatch& patch) {
     return !patch.failure && divides(patch.mesh);
   });
+}
+
+/// As --cut auto does; left as it is where that fails, so that laying it flat tells what is wrong.
+CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::string& reason,
+                         const Arguments& arguments, Session& session) {
+  try {
+    CutInput cut = divided_into_panels(Patch(mesh), path, arguments, session);
+    session.note(
+        path + ": " + reason +
+        ", so it was divided, as by --cut auto. Of a wall with a thickness --side takes one "
+        "side");
+    return cut;
+  } catch (const Error&) {
+    return {std::move(mesh)};
+  }
 }
 
 /// The pieces that a patch is cut into; to what was done to all is added what was done to it.
@@ -55,16 +90,10 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
   if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
     cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
                        {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+  } else if (const std::string reason = reason_to_divide(patch.mesh); !reason.empty()) {
+    cut = divided_unasked(std::move(patch.mesh), path, reason, arguments, session);
   } else {
-    const Patch whole(std::move(patch.mesh));
-    if (const std::string reason = reason_to_divide(whole); !reason.empty()) {
-      session.note(path + ": " + reason +
-                   "; it is divided, as by --cut auto. Of a wall with a thickness --side takes one "
-                   "side");
-      cut = divided_into_panels(whole, path, arguments, session);
-    } else {
-      cut.mesh = whole.mesh();
-    }
+    cut.mesh = std::move(patch.mesh);
   }
   if (cut.cut) *all.cut += *cut.cut;
   all.symmetric_in = cut.symmetric_in;

@@ -62,7 +62,7 @@ TEST_F(Panels, AreWhatFlattenMakesOfAClosedSurface) {
   };
   const CliResult unasked = flatten({"flatten", "box.obj", "-o", "unasked"});
   ASSERT_EQ(unasked.exit_code, k_exit_done) << unasked.err;
-  EXPECT_THAT(unasked.err, HasSubstr("the surface is closed; it is divided, as by --cut auto"));
+  EXPECT_THAT(unasked.err, HasSubstr("the surface is closed, so it was divided, as by --cut auto"));
   const CliResult asked = flatten({"flatten", "box.obj", "-o", "asked", "--cut", "auto"});
   ASSERT_EQ(asked.exit_code, k_exit_done) << asked.err;
   EXPECT_THAT(asked.err, HasSubstr("--cut auto: 1 piece, 14.0 mm of seam"));

@@ -20,12 +20,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three triangles at one edge.
 NamedPatch fins(const std::string& name) {
-  TriMesh mesh;
-  mesh.positions = {{50, 0, 0}, {51, 0, 0}, {50, 1, 0}, {50, 0, 1}, {50, -1, 0}};
-  mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  return {name, mesh, {}};
+  return {name, meshes::fins(), {}};
 }
 
 NamedPatch grid(const std::string& name) {

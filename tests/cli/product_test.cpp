@@ -301,7 +301,7 @@ TEST_F(Product, GoesOnWhereOnePatchIsBad) {
   EXPECT_TRUE(std::filesystem::exists("out/back/pattern.svg"));
   EXPECT_FALSE(std::filesystem::exists("out/fins"));
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
-  EXPECT_EQ(json["patches"][1]["error"]["code"], "non_manifold_edge");
+  EXPECT_EQ(json["patches"][1]["error"]["code"], "no_inner_vertex");
   EXPECT_TRUE(json["patches"][0]["error"].is_null());
 }
 
@@ -312,7 +312,7 @@ TEST_F(Product, WritesNothingWhereEveryPatchIsBad) {
   EXPECT_THAT(result.err, HasSubstr("error: 2 of 2 patches could not be flattened: one, two\n"));
   EXPECT_FALSE(std::filesystem::exists("out"));
   const auto json = result.json();
-  EXPECT_EQ(json["patches"][0]["error"]["code"], "non_manifold_edge");
+  EXPECT_EQ(json["patches"][0]["error"]["code"], "no_inner_vertex");
   EXPECT_TRUE(json["nesting"].is_null());
 }
 

@@ -115,7 +115,8 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
   panel_options_from(arguments);
   const auto paths = panel_paths(arguments);
   const std::string& path = arguments.operands.front();
-  const Patch patch(read_whole(path, arguments, session));
+  TriMesh mesh = read_whole(path, arguments, session);
+  const Patch patch = about(path, [&] { return Patch(std::move(mesh)); });
   const PanelSuggestion found =
       about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
   const std::vector<OutputFile> files = panel_files(found, paths, arguments);

@@ -92,6 +92,9 @@ TEST_F(Panels, RefuseWhatTheyCannotDo) {
   EXPECT_THAT(refused({"panels", "box.obj", "--prefer-cuts", "long"}), HasSubstr("few"));
   EXPECT_THAT(refused({"flatten", "box.obj", "--symmetric", "x=0", "--cut", "auto"}),
               HasSubstr("does not go with --cut auto"));
+  write_mesh("fins.obj", meshes::fins());
+  EXPECT_THAT(planish({"panels", "fins.obj", "--strict"}).err,
+              HasSubstr("error: fins.obj: 1 edge is shared by more than two triangles"));
   const CliResult no_lines = planish({"panels", "box.obj", "-o", "lines.txt"});
   EXPECT_EQ(no_lines.exit_code, k_exit_failed);
   EXPECT_THAT(no_lines.err, HasSubstr("lines.txt: the lines are an .obj file"));

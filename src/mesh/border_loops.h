@@ -63,6 +63,7 @@ inline BorderKinds border_kinds(std::span<const Vec3> positions, const Connectiv
   const auto& loops = connectivity.border_loops();
   if (loops.size() == 1) return {};
   std::vector<double> turnings;
+  turnings.reserve(loops.size());
   for (const std::vector<Index>& loop : loops)
     turnings.push_back(border_turning(positions, connectivity, scale, loop));
   return border_kinds(turnings, sizes_of_loops(positions, loops, scale));

@@ -20,6 +20,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/summary.h"
 #include "text/written_text.h"
 

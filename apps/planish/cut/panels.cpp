@@ -105,6 +105,7 @@ CutInput cut_into_panels(const PanelSuggestion& found) {
   for (const std::vector<Index>& seam : found.seams) {
     paths.push_back({seam, {}});
     std::vector<Vec3> line;
+    line.reserve(seam.size());
     for (const Index v : seam)
       line.push_back(found.mesh.positions[v]);
     outcome.jag = std::max(outcome.jag, jag_of(line, edge));

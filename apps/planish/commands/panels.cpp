@@ -35,6 +35,7 @@ std::map<std::string, std::string> panel_paths(const Arguments& arguments) {
     if (arguments.has(flag)) paths[role] = arguments.text(flag);
   }
   std::vector<OutputFile> files;
+  files.reserve(paths.size());
   for (const auto& [role, path] : paths)
     files.push_back({path_of(path), {}});
   refuse_shared_places(files);
@@ -61,6 +62,7 @@ std::vector<OutputFile> panel_files(const PanelSuggestion& found,
                                     const std::map<std::string, std::string>& paths,
                                     const Arguments& arguments) {
   std::vector<OutputFile> files;
+  files.reserve(paths.size());
   for (const auto& [role, path] : paths) {
     files.push_back({path_of(path), role == "lines" ? lines_file(found, arguments)
                                                     : format_mesh(cut_into_panels(found).mesh,

@@ -18,32 +18,41 @@ inline std::filesystem::path test_folder() {
   return named == nullptr ? std::filesystem::path() : std::filesystem::path(named);
 }
 
-/// Tests of files in the folders "odd" and "bad" beside the real patches. They are skipped where
-/// the environment variable PLANISH_TEST_DATA names no folder with "odd"; where it does, a file
-/// that is missing is a failure.
-template <class Base = testing::Test>
-class WithOddFiles : public Base {
+/// Tests of files in a folder of test_folder(). They are skipped if PLANISH_TEST_DATA is not set,
+/// or its folder has no such part. A PLANISH_TEST_DATA that names no folder at all is a failure,
+/// and so is a file that is missing.
+template <class Base>
+class WithFolder : public Base {
  protected:
+  explicit WithFolder(const char* name) : name_(name) {}
   void SetUp() override {
     Base::SetUp();
-    if (!std::filesystem::is_directory(test_folder() / "odd"))
-      GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with odd meshes";
+    if (test_folder().empty()) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
+    ASSERT_TRUE(std::filesystem::is_directory(test_folder())) << test_folder();
+    if (!std::filesystem::is_directory(test_folder() / name_))
+      GTEST_SKIP() << test_folder() << " has no folder " << name_;
   }
+
+ private:
+  const char* name_;
+};
+
+/// Tests of files in the folders "odd" and "bad".
+template <class Base = testing::Test>
+class WithOddFiles : public WithFolder<Base> {
+ protected:
+  WithOddFiles() : WithFolder<Base>("odd") {}
 
   /// @param name as in "odd/flap_of_five.obj"
   static std::filesystem::path file(const std::string& name) { return test_folder() / name; }
   static TriMesh mesh_of(const std::string& name) { return read_mesh(file(name)).mesh; }
 };
 
-/// The same of whole products, in the folder "products".
+/// Tests of whole products, in the folder "products".
 template <class Base = testing::Test>
-class WithProducts : public Base {
+class WithProducts : public WithFolder<Base> {
  protected:
-  void SetUp() override {
-    Base::SetUp();
-    if (!std::filesystem::is_directory(test_folder() / "products"))
-      GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with products";
-  }
+  WithProducts() : WithFolder<Base>("products") {}
 
   /// @param name as in "hat"
   static std::filesystem::path file(const std::string& name) {

@@ -120,7 +120,7 @@ CommandResult compare_several(const Arguments& all, Session& session) {
 
 CommandResult run_compare(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return compare_several(arguments, session);
-  // What can be wrong with the request is told before any work.
+  // Check the request before any work.
   const std::string& path = arguments.operands.front();
   const std::vector<CompareRun> runs = runs_from(arguments);
   CompareOptions options = {.unit = unit_from(arguments)};

@@ -113,7 +113,7 @@ void warn_of_failures(Session& session, const FrontierReport& report) {
 }
 
 CommandResult run_frontier(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+  // Check the request before any work.
   const std::string& path = arguments.operands.front();
   FrontierOptions options = options_from(arguments);
   const bool writes = arguments.has("--output");

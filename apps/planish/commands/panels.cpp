@@ -30,15 +30,7 @@ namespace {
 
 /// What each file is for -> its path.
 std::map<std::string, std::string> panel_paths(const Arguments& arguments) {
-  std::map<std::string, std::string> paths;
-  for (const auto& [role, flag] : {std::pair{"lines", "--output"}, std::pair{"mesh", "--apply"}}) {
-    if (arguments.has(flag)) paths[role] = arguments.text(flag);
-  }
-  std::vector<OutputFile> files;
-  files.reserve(paths.size());
-  for (const auto& [role, path] : paths)
-    files.push_back({path_of(path), {}});
-  refuse_shared_places(files);
+  auto paths = output_paths(arguments, {{"lines", "--output"}, {"mesh", "--apply"}});
   if (paths.contains("lines") && lower_extension(paths.at("lines")) != ".obj")
     throw Error(ErrorCode::unsupported_format, "the lines are an .obj file",
                 {.path = paths.at("lines")});
@@ -58,15 +50,15 @@ std::string lines_file(const PanelSuggestion& found, const Arguments& arguments)
   return "# Seams for planish --cut\n" + format_obj_lines(drawn);
 }
 
-std::vector<OutputFile> panel_files(const PanelSuggestion& found,
+std::vector<OutputFile> panel_files(const PanelSuggestion& found, const CutInput& cut,
                                     const std::map<std::string, std::string>& paths,
                                     const Arguments& arguments) {
   std::vector<OutputFile> files;
   files.reserve(paths.size());
   for (const auto& [role, path] : paths) {
-    files.push_back({path_of(path), role == "lines" ? lines_file(found, arguments)
-                                                    : format_mesh(cut_into_panels(found).mesh,
-                                                                  mesh_format_of(path_of(path)))});
+    files.push_back({path_of(path), role == "lines"
+                                        ? lines_file(found, arguments)
+                                        : format_mesh(cut.mesh, mesh_format_of(path_of(path)))});
   }
   return files;
 }
@@ -91,7 +83,7 @@ std::string panels_text(const PanelSuggestion& found, const Arguments& arguments
   return text + "\nPatterns of these pieces: planish flatten " + path + " --cut " + cut + "\n";
 }
 
-std::string panels_json(const PanelSuggestion& found, const Arguments& arguments,
+std::string panels_json(const PanelSuggestion& found, double jag, const Arguments& arguments,
                         const std::map<std::string, std::string>& paths) {
   Json panels = Json::array();
   for (const SuggestedPanel& panel : found.panels) {
@@ -108,13 +100,13 @@ std::string panels_json(const PanelSuggestion& found, const Arguments& arguments
                        {"length", found.length},
                        {"slits", found.tips},
                        {"cost", found.cost},
-                       {"jag", cut_into_panels(found).cut->jag},
+                       {"jag", jag},
                        {"files", Json(paths)}};
   return json_document(object) + "\n";
 }
 
 CommandResult run_panels(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+  // Check the request before any work.
   panel_options_from(arguments);
   const auto paths = panel_paths(arguments);
   const std::string& path = arguments.operands.front();
@@ -122,11 +114,12 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
   const Patch patch = about(path, [&] { return Patch(std::move(mesh)); });
   const PanelSuggestion found =
       about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
-  const std::vector<OutputFile> files = panel_files(found, paths, arguments);
+  const CutInput cut = cut_into_panels(found);
+  const std::vector<OutputFile> files = panel_files(found, cut, paths, arguments);
   std::string text =
       path + "  (" + size_text(patch.mesh()) + ")\n\n" + panels_text(found, arguments, paths, path);
   if (!files.empty()) text += written_text(files);
-  CommandResult outcome = {std::move(text), panels_json(found, arguments, paths)};
+  CommandResult outcome = {std::move(text), panels_json(found, cut.cut->jag, arguments, paths)};
   session.write(files);
   if (!found.met) {
     outcome.exit_code = k_exit_target_missed;
@@ -148,9 +141,9 @@ Command panels_command() {
       "PRODUCT [-o LINES]",
       "Divides a product, closed or open, into few pieces with short seams, each with a pattern "
       "that keeps a limit of strain: 2 % rms if none is given. LINES is an .obj with the seams "
-      "as lines, which any 3D program edits and --cut of other verbs takes. Each better answer "
-      "is told as it is found; who presses Ctrl-C gets the best so far. Without -o or --apply "
-      "nothing is written. Ends with exit code 3 where no division keeps the limit.",
+      "as lines, which any 3D program edits and --cut of other verbs takes. Prints each better "
+      "answer when it finds one; Ctrl-C ends the search and keeps the best answer so far. Without "
+      "-o or --apply nothing is written. Exit code 3: no division keeps the limit.",
       {"PRODUCT"},
       {{"Output",
         {{"--output",

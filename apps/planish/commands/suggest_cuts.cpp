@@ -30,16 +30,8 @@ constexpr Range k_darts = {0.0, 50.0};
 
 /// What each file is for -> its path.
 std::map<std::string, std::string> suggestion_paths(const Arguments& arguments) {
-  std::map<std::string, std::string> paths;
-  for (const auto& [role, flag] : {std::pair{"cuts", "--output"}, std::pair{"picture", "--picture"},
-                                   std::pair{"mesh", "--apply"}}) {
-    if (arguments.has(flag)) paths[role] = arguments.text(flag);
-  }
-  std::vector<OutputFile> files;
-  files.reserve(paths.size());
-  for (const auto& [role, path] : paths)
-    files.push_back({path_of(path), {}});
-  refuse_shared_places(files);
+  auto paths = output_paths(arguments,
+                            {{"cuts", "--output"}, {"picture", "--picture"}, {"mesh", "--apply"}});
   if (paths.contains("picture") && lower_extension(paths.at("picture")) != ".svg") {
     throw Error(ErrorCode::unsupported_format, "the picture is an .svg file",
                 {.path = paths.at("picture")});
@@ -66,7 +58,7 @@ std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
 }
 
 CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+  // Check the request before any work.
   const SuggestOptions options = suggest_options_from(arguments);
   const Unit unit = unit_from(arguments);
   const auto paths = suggestion_paths(arguments);

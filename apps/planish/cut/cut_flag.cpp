@@ -338,7 +338,7 @@ CutOutcome& CutOutcome::operator+=(const CutOutcome& more) {
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session, const OpeningLimits& limits) {
   const bool opens = asks_to_open(arguments);
-  panel_options_from(arguments);  // what is wrong with them is told before any work
+  panel_options_from(arguments);  // check them before any work
   if (!asks_for_panels(arguments)) note_idle_panel_flags(arguments, session);
   if (arguments.has("--avoid") && !opens)
     throw UsageError("flag --avoid says where cuts do not go: it needs --cut open");

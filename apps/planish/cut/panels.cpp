@@ -23,45 +23,35 @@ namespace {
 constexpr Range k_moves = {1.0, 1000.0};
 constexpr std::size_t k_usual_moves = 4;
 
-const std::vector<std::string>& preference_names() {
-  static const std::vector<std::string> names = {std::string(to_string(PanelPreference::few)),
-                                                 std::string(to_string(PanelPreference::shortest)),
-                                                 std::string(to_string(PanelPreference::simple))};
-  return names;
-}
-
-PanelPreference preference_from(const Arguments& arguments) {
-  const std::vector<std::string>& names = preference_names();
-  const std::string name =
-      known_name("kind of cuts", arguments.text("--prefer-cuts", names.front()), names);
-  const auto found = std::find(names.begin(), names.end(), name);
-  return std::array{PanelPreference::few, PanelPreference::shortest,
-                    PanelPreference::simple}[static_cast<std::size_t>(found - names.begin())];
-}
+constexpr std::array k_preferences = {PanelPreference::few, PanelPreference::shortest,
+                                      PanelPreference::simple};
 
 }  // namespace
 
 std::vector<Flag> panel_flags() {
-  return {{"--prefer-cuts",
-           "WHAT",
-           "what a division into panels saves first: few (pieces), short (seams), simple (no slits "
-           "that end inside a piece); default few",
-           0,
-           false,
-           {.choices = preference_names(), .standard = preference_names().front()}},
-          {"--effort",
-           "N",
-           "how many divisions are tried (1 to 1000, default " + std::to_string(k_usual_moves) +
-               "); more are never worse",
-           0,
-           false,
-           {.range = k_moves, .standard = std::to_string(k_usual_moves)}}};
+  return {
+      {"--prefer-cuts",
+       "WHAT",
+       "what a division into panels saves first: few (pieces), short (seams), simple (no slits "
+       "that end inside a piece); default few",
+       0,
+       false,
+       {.choices = names_of(k_preferences), .standard = std::string(to_string(k_preferences[0]))}},
+      {"--effort",
+       "N",
+       "how many divisions are tried (1 to 1000, default " + std::to_string(k_usual_moves) +
+           "); more are never worse",
+       0,
+       false,
+       {.range = k_moves, .standard = std::to_string(k_usual_moves)}}};
 }
 
 PanelOptions panel_options_from(const Arguments& arguments) {
   PanelOptions options;
   if (const StrainLimits limits = limits_from(arguments); limits.any()) options.limits = limits;
-  options.prefer = preference_from(arguments);
+  options.prefer = value_named(
+      "kind of cuts", arguments.text("--prefer-cuts", std::string(to_string(k_preferences[0]))),
+      k_preferences);
   options.moves = static_cast<std::size_t>(whole_number_of(
       "--effort", arguments.value("--effort", static_cast<int>(k_usual_moves)), k_moves));
   return options;

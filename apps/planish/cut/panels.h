@@ -19,11 +19,11 @@ std::vector<Flag> panel_flags();
 /// @throws UsageError, Error option_out_of_range
 PanelOptions panel_options_from(const Arguments& arguments);
 
-/// Notes flags of panels where nothing is divided into any.
+/// Writes a note for each flag of panel_flags() that has no effect, as nothing is divided.
 void note_idle_panel_flags(const Arguments& arguments, Session& session);
 
-/// Divides a product as panel_options_from() says. Says each better answer as it is found; where
-/// the user asks to stop, the best one counts and the run goes on.
+/// Divides a product as panel_options_from() says. Prints each better answer. If the user stops the
+/// search, returns the best answer so far, and the run continues.
 /// @param path of the product, for the line of progress
 /// @throws Error as suggest_panels(); UsageError; Cancelled before there is an answer
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,

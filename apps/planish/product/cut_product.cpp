@@ -67,7 +67,8 @@ bool has_to_be_divided(const ProductInput& input) {
   });
 }
 
-/// As --cut auto does; left as it is where that fails, so that laying it flat tells what is wrong.
+/// Divides a mesh as --cut auto does. If that fails, returns the mesh as it was: flattening it then
+/// reports the error.
 CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::string& reason,
                          const Arguments& arguments, Session& session) {
   try {

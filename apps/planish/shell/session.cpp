@@ -135,4 +135,17 @@ void refuse_shared_places(const std::vector<OutputFile>& files) {
   }
 }
 
+std::map<std::string, std::string> output_paths(
+    const Arguments& arguments, std::initializer_list<std::pair<const char*, const char*>> flags) {
+  std::map<std::string, std::string> paths;
+  std::vector<OutputFile> files;
+  for (const auto& [role, flag] : flags) {
+    if (!arguments.has(flag)) continue;
+    paths[role] = arguments.text(flag);
+    files.push_back({path_of(paths[role]), {}});
+  }
+  refuse_shared_places(files);
+  return paths;
+}
+
 }  // namespace planish::cli

@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <planish/core/context.h>
@@ -74,5 +77,11 @@ class Session {
 /// Where a run writes two things to one place, one of them would be lost.
 /// @throws UsageError
 void refuse_shared_places(const std::vector<OutputFile>& files);
+
+/// The paths of the output flags that are given, by what each file is for.
+/// @param flags the role and the flag of each
+/// @throws UsageError if two have the same path
+std::map<std::string, std::string> output_paths(
+    const Arguments& arguments, std::initializer_list<std::pair<const char*, const char*>> flags);
 
 }  // namespace planish::cli

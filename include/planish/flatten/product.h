@@ -76,7 +76,7 @@ struct FinishedPatch {
   std::string cautions = {};  ///< what the mesh cannot show, in sentences; empty for none
   /// Why it cannot be judged whether the piece lies flat: "no vertex inside"; empty where it can.
   std::string not_judged = {};
-  /// Vertex of `processed` -> vertex of the patch as it came, increasing; empty: they are the same.
+  /// For each vertex of `processed` its number in the input patch, increasing. Empty: the same.
   std::vector<Index> source = {};
 
   /// As of the report that it is made of.
@@ -95,8 +95,8 @@ struct PatchResult {
   bool resumed = false;                        ///< finished in an earlier run
   PieceMetadata words = {};                    ///< of ProductPatch
   std::size_t group = 0;                       ///< of ProductPatch
-  /// Where the vertices of finished->processed are in the patch as it came; empty where none moved
-  /// and where the patch is not finished.
+  /// For each vertex of finished->processed its position in the input patch, model units. Empty if
+  /// no vertex moved or the patch is not finished.
   std::vector<Vec3> design = {};
 
   /// That of the result; of a patch without one, it misses Criterion::failure.

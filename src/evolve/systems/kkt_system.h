@@ -27,8 +27,8 @@ namespace planish {
 /// under a dissection of the mesh. A vertex moves in all three directions, or along one: steps
 /// along one direction have half of the unknowns and a quarter of the memory.
 ///
-/// Of a patch that is its own mirror image only moves that are too are looked for: dx = P z and
-/// y = Q eta with an unknown for each orbit, so that
+/// For a patch that is its own mirror image, the system is reduced to symmetric moves: dx = P z and
+/// y = Q eta, with one unknown for each orbit:
 ///
 ///     [ P^T H P   P^T J^T Q  ] [ z ]   [P^T force ]
 ///     [ Q^T J P  -c Q^T S Q  ] [eta] = [Q^T dtheta]
@@ -167,7 +167,7 @@ class KktSystem {
   std::array<double, 3> along_moves_at(Index v, Vec3 a) const {
     return along_moves(orbits_.orbit_of(v), orbits_.carried(v, a));
   }
-  /// A move of length 1 of a vertex, of which its orbit has so many.
+  /// The unit vector along which a vertex moves with unknown `part` of its orbit.
   Vec3 unit_move(Index v, int part) const;
   std::vector<Vec3> directions_by_orbit(std::vector<Vec3> directions) const;
   void hold_unused_moves();

@@ -57,14 +57,15 @@ std::string reason_to_divide(const TriMesh& mesh) {
   }
 }
 
-/// Whether a patch of the input cannot be laid flat undivided.
-bool has_to_be_divided(const ProductInput& input) {
-  const auto divides = [](const TriMesh& mesh) { return !reason_to_divide(mesh).empty(); };
-  if (input.patches.size() == 1 && !input.is_described)
-    return !input.patches.front().failure && divides(input.whole.mesh);
-  return std::any_of(input.patches.begin(), input.patches.end(), [&](const ProductPatch& patch) {
-    return !patch.failure && divides(patch.mesh);
-  });
+/// The reason for each patch of an input; all are empty where nothing has to be divided.
+std::vector<std::string> reasons_to_divide(const ProductInput& input) {
+  std::vector<std::string> reasons;
+  reasons.reserve(input.patches.size());
+  const bool is_whole = input.patches.size() == 1 && !input.is_described;
+  for (const ProductPatch& patch : input.patches)
+    reasons.push_back(patch.failure ? ""
+                                    : reason_to_divide(is_whole ? input.whole.mesh : patch.mesh));
+  return reasons;
 }
 
 /// Divides a mesh as --cut auto does. If that fails, returns the mesh as it was: flattening it then
@@ -84,14 +85,15 @@ CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::strin
 }
 
 /// The pieces that a patch is cut into; to what was done to all is added what was done to it.
+/// @param reason to divide it unasked; empty where there is none
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
-                                    bool is_one_of_several, const Arguments& arguments,
-                                    Session& session, CutInput& all) {
+                                    const std::string& reason, bool is_one_of_several,
+                                    const Arguments& arguments, Session& session, CutInput& all) {
   CutInput cut = {};
   if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
     cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
                        {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
-  } else if (const std::string reason = reason_to_divide(patch.mesh); !reason.empty()) {
+  } else if (!reason.empty()) {
     cut = divided_unasked(std::move(patch.mesh), path, reason, arguments, session);
   } else {
     cut.mesh = std::move(patch.mesh);
@@ -137,7 +139,11 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
                                       Session& session) {
   const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
   panel_options_from(arguments);
-  if (!is_symmetric && !is_cut && !has_to_be_divided(input)) {
+  const bool is_asked = is_symmetric || is_cut;
+  const std::vector<std::string> reasons =
+      is_asked ? std::vector<std::string>(input.patches.size()) : reasons_to_divide(input);
+  const auto is_none = [](const std::string& reason) { return reason.empty(); };
+  if (!is_asked && std::all_of(reasons.begin(), reasons.end(), is_none)) {
     note_idle_panel_flags(arguments, session);
     return std::nullopt;
   }
@@ -166,7 +172,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
       pieces.push_back(std::move(input.patches[p]));
     } else {
       const std::string whole = input.patches[p].name;
-      pieces = cut_patch(std::move(input.patches[p]), path, are_several, arguments, session, all);
+      pieces = cut_patch(std::move(input.patches[p]), path, reasons[p], are_several, arguments,
+                         session, all);
       made += pieces.size() - 1;
       if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
     }

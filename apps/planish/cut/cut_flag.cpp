@@ -9,6 +9,7 @@
 #include <planish/mesh/imprint.h>
 #include <planish/unfold/suggest_cuts.h>
 
+#include "cut/caps.h"
 #include "cut/loose_paths.h"
 #include "cut/panels.h"
 #include "cut/requested_lines.h"
@@ -345,6 +346,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   const bool is_symmetric = asks_for_symmetry(arguments);
   if (!arguments.has("--cut") && !is_symmetric) return {std::move(mesh)};
   return about(path, [&]() -> CutInput {
+    if (is_through_triangles(arguments)) mesh = without_caps(std::move(mesh), arguments, session);
     if (!is_symmetric) return cut_without_images(std::move(mesh), path, arguments, session, limits);
     SymmetricDesign symmetric(mesh, path, arguments, session);
     RequestedLines none;

@@ -8,6 +8,7 @@
 #include <planish/mesh/cut.h>
 #include <planish/mesh/surface_line.h>
 
+#include "cut/caps.h"
 #include "flags/limit_flags.h"
 #include "flags/units.h"
 #include "mesh/mean_edge.h"
@@ -71,7 +72,8 @@ PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
     session.tell(path + ": " + panels_words(better, unit) +
                  (better.met ? "" : "; the limit is not kept"));
   };
-  PanelSuggestion found = suggest_panels(patch, options, session.job_context(path));
+  const Patch sound(without_caps(patch.mesh(), arguments, session));
+  PanelSuggestion found = suggest_panels(sound, options, session.job_context(path));
   if (found.was_cancelled) {
     session.resume();
     session.note(path + ": the search was stopped; this is the best answer so far");

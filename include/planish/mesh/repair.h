@@ -87,6 +87,20 @@ TriMesh turned_over(TriMesh mesh);
 std::vector<std::size_t> find_inside_out(std::span<const TriMesh> pieces,
                                          std::span<const Seam> seams);
 
+/// A mesh whose caps were flipped away.
+struct FlippedMesh : RepairedMesh {
+  std::size_t flipped = 0;  ///< caps that became parts of a neighbour, which is their source
+};
+
+/// Flips the long side of each cap, a triangle with an angle above 160 degrees and nearly without
+/// height, so that this corner divides the neighbour beyond the side. The surface moves by at most
+/// the height. A cap stays where its long side is at the border or where the other diagonal is an
+/// edge already.
+/// @param height of the highest cap above its long side, model units, from 0
+/// @throws Error option_out_of_range
+/// @pre an oriented manifold
+FlippedMesh flip_caps(const TriMesh& mesh, double height);
+
 /// A mesh some of whose holes were closed.
 struct FilledMesh : RepairedMesh {
   std::size_t filled = 0;  ///< holes that were closed; their triangles have no source

@@ -56,6 +56,25 @@ TEST_F(CutLines, GoTheShortestWayBetweenPlaces) {
   EXPECT_NEAR(dart, 5.0, 1e-3) << "but for snapping";
 }
 
+/// A flat square of 4, with a cap below the middle of its diagonal.
+TriMesh square_with_cap(double depth) {
+  return {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 2, -depth}},
+          {{0, 2, 3}, {4, 0, 1}, {2, 4, 1}, {0, 4, 2}}};
+}
+
+// Else pieces get edges without a direction, and strains of hundreds of per cent.
+TEST_F(CutLines, CrossTrianglesWithoutHeight) {
+  for (const double depth : {0.0, 1e-13, 1e-10, 1e-7, 1e-5, 1e-3}) {
+    write_mesh("cap.obj", square_with_cap(depth));
+    const CliResult result = unfolded("cap.obj", {"straight 3.5,0,0 0.5,4,0"}, {"--unit", "dm"});
+    ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(", 500.0 mm"));
+    EXPECT_EQ(result.err.find("nearly without area") != std::string::npos, depth < 1e-4);
+    for (const auto& patch : result.json()["patches"])
+      EXPECT_LT(patch["unfold"]["strain"]["rms"].get<double>(), 1e-3) << depth;
+  }
+}
+
 TEST_F(CutLines, SayWhatIsNoPlace) {
   for (const char* bad : {"line 1,0,0", "line 1,0 2,0,0", "line 1,0,0 no", "ring", "straight 1,0,0",
                           "straight 1,0,0 x,0,1"}) {

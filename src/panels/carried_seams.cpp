@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <planish/mesh/carry.h>
+#include <planish/mesh/geodesic.h>
 #include <planish/mesh/imprint.h>
 
 #include "panels/cells/merge_cells.h"
@@ -12,7 +13,6 @@ namespace planish {
 
 namespace {
 
-constexpr double k_most_move = 0.7;  // mean edges of the thinned product
 constexpr int k_straightenings = 60;
 
 /// Makes a line shorter near where it is, its ends held: each vertex goes towards the line between
@@ -42,34 +42,22 @@ struct Run {
   bool is_open = false;
 };
 
-/// The vertex of the border that is nearest to a place. @pre there is a border
-Vec3 nearest_on_border(const Patch& product, Vec3 place) {
-  Vec3 nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<Index>& loop : product.border_loops()) {
-    for (const Index v : loop) {
-      const double distance = norm(product.positions()[v] - place);
-      if (distance < least) least = distance, nearest = product.positions()[v];
-    }
-  }
-  return nearest;
-}
-
 /// Puts ends of lines that are on the border of the thinned product onto that of the product.
 void lead_to_border(const Patch& product, const SeamChain& chain, const Patch& thinned,
                     DrawnLine& line) {
   const auto lead = [&](Index v, Vec3& end) {
-    if (thinned.is_border(v)) end = nearest_on_border(product, end);
+    if (thinned.is_border(v)) end = product.positions()[nearest_on_border(product, end)];
   };
   lead(chain.vertices.front(), line.points.front());
   lead(chain.vertices.back(), line.points.back());
 }
 
 /// Open ones go on where closed ones end.
-std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const OpenEdges& open) {
+std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const OpenEdges& open,
+                               double most_move) {
   const OpenEdges closed = net.closed(open);
   const std::vector<Vec3>& origin = net.mesh.patch().positions();
-  const double most_move = k_most_move * net.mesh.mean_edge() / net.mesh.scale();
+  const double farthest = most_move * net.mesh.mean_edge() / net.mesh.scale();
   std::vector<Vec3> places = origin;
   std::vector<unsigned char> held(places.size(), 0);
   for (std::size_t e = 0; e < open.size(); ++e) {
@@ -80,7 +68,7 @@ std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const O
   std::vector<Run> runs;
   for (const bool is_open : {true, false}) {
     for (const SeamChain& chain : seam_chains(net.mesh, is_open ? open : closed)) {
-      straighten(chain.vertices, origin, held, most_move, places);
+      straighten(chain.vertices, origin, held, farthest, places);
       runs.push_back({{}, is_open});
       for (const Index v : chain.vertices)
         runs.back().line.points.push_back(places[v]);
@@ -93,6 +81,20 @@ std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const O
     }
   }
   return runs;
+}
+
+/// A drawn line on the product. Where it leaves the product, as over a hollow, it goes the shortest
+/// way on.
+SurfaceLine traced(const Patch& product, const DrawnLine& drawn) {
+  SurfaceLine whole;
+  for (const SurfaceLine& part : trace_lines(product, {{drawn}, {}}).lines) {
+    if (!whole.empty()) {
+      const std::vector<SurfacePoint> bridge = geodesic(product, whole.back(), part.front()).points;
+      whole.insert(whole.end(), bridge.begin(), bridge.end());
+    }
+    whole.insert(whole.end(), part.begin(), part.end());
+  }
+  return whole;
 }
 
 void set_edges(const PanelMesh& mesh, const std::vector<Index>& path, OpenEdges& edges) {
@@ -118,6 +120,18 @@ void close_lone_edges(const PanelMesh& mesh, OpenEdges& open) {
 
 }  // namespace
 
+Index nearest_on_border(const Patch& patch, Vec3 place) {
+  Index nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Index>& loop : patch.border_loops()) {
+    for (const Index v : loop) {
+      const double distance = norm(patch.positions()[v] - place);
+      if (distance < least) least = distance, nearest = v;
+    }
+  }
+  return nearest;
+}
+
 CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> lines,
                              std::span<const unsigned char> is_open, double least_area) {
   ImprintedMesh imprinted = imprint(patch, lines);
@@ -140,14 +154,14 @@ CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> li
 }
 
 CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenEdges& open,
-                           double least_area) {
+                           double least_area, double most_move) {
   std::vector<SurfaceLine> lines;
   std::vector<unsigned char> is_open;
-  for (const Run& run : straight_runs(product, net, open)) {
-    for (SurfaceLine& line : trace_lines(product, {{run.line}, {}}).lines) {
-      lines.push_back(std::move(line));
-      is_open.push_back(run.is_open ? 1 : 0);
-    }
+  for (const Run& run : straight_runs(product, net, open, most_move)) {
+    SurfaceLine line = traced(product, run.line);
+    if (line.size() < 2) continue;
+    lines.push_back(std::move(line));
+    is_open.push_back(run.is_open ? 1 : 0);
   }
   return imprinted_seams(product, lines, is_open, least_area);
 }

@@ -21,10 +21,14 @@ struct CarriedSeams {
 CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> lines,
                              std::span<const unsigned char> is_open, double least_area);
 
+/// The vertex of the border that is nearest to a place. @pre there is a border
+Index nearest_on_border(const Patch& patch, Vec3 place);
+
 /// Lays the seams of a thinned product on the product itself: each chain is made fairer and traced
 /// as what is drawn over a mesh is (trace_lines()), then as imprinted_seams() does.
 /// @param open of the edges of the net
+/// @param most_move of its vertices when they are made fairer, mean edges of the net's mesh
 CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenEdges& open,
-                           double least_area);
+                           double least_area, double most_move = 0.7);
 
 }  // namespace planish

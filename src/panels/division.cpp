@@ -10,6 +10,7 @@
 #include "panels/cells/merge_cells.h"
 #include "panels/cells/normal_cells.h"
 #include "panels/cells/tie_lines.h"
+#include "panels/folded_seams.h"
 
 namespace planish {
 
@@ -21,11 +22,15 @@ constexpr double k_least_spread = 0.5;  // mean edges
 constexpr double k_faces = 0.8;         // share of borders that is on creases, of faces
 constexpr double k_on_creases = 0.1;    // so that faces stay whole
 
-std::vector<double> favours(std::size_t chains, std::uint64_t seed) {
-  std::vector<double> factors(seed == 0 ? 0 : chains);
-  SplitMix dice(seed);
-  for (double& factor : factors)
-    factor = 0.6 + 0.8 * dice.share();
+/// What closing each chain costs, in multiples.
+std::vector<double> favours(const SeamNet& net, const DivisionWay& way) {
+  std::vector<double> factors(net.chains.size(), 1.0);
+  SplitMix dice(way.seed);
+  for (std::size_t c = 0; c < factors.size(); ++c) {
+    if (way.seed != 0) factors[c] = 0.6 + 0.8 * dice.share();
+    const Index edge = net.chains[c].edges.front();
+    if (net.mesh.is_mirrored() && net.mesh.image_of_edge(edge) == edge) factors[c] *= way.plane;
+  }
   return factors;
 }
 
@@ -69,6 +74,18 @@ CellMesh lined_cells(const PanelMesh& mesh, std::span<const Index> cells, double
   }
 }
 
+/// All borders of cells as seams, and the plane.
+SeamNet net_of(CellMesh lined, const std::optional<Plane>& plane) {
+  if (plane) {
+    OpenEdges seams = open_between(lined.mesh, lined.cells);
+    SeamNet half{std::move(lined.mesh), seams, {}};
+    return unfolded_seams({{std::move(half), std::move(seams)}, {}}, *plane).net;
+  }
+  OpenEdges seams = open_between(lined.mesh, lined.cells);
+  std::vector<SeamChain> chains = seam_chains(lined.mesh, seams);
+  return {std::move(lined.mesh), std::move(seams), std::move(chains)};
+}
+
 }  // namespace
 
 OpenEdges SeamNet::closed(const OpenEdges& open) const {
@@ -83,15 +100,17 @@ DivisionWay way_of_move(std::size_t move) {
   constexpr std::array<std::size_t, 4> cells = {70, 50, 100, 85};
   constexpr std::array<double, 5> limits = {0.3, 0.45, 0.6, 0.25, 0.8};
   constexpr std::array<double, 3> spreads = {1.5, 2.5, 2.0};
-  return {cells[move % 4], limits[move % 5], spreads[move % 3], move};
+  constexpr std::array<double, 3> planes = {1.0, 10.0, 0.1};
+  return {cells[move % 4], limits[move % 5], spreads[move % 3], move, planes[move % 3]};
 }
 
-Division divided(const PanelMesh& mesh, double limit, const SeamPrices& prices,
-                 const DivisionWay& way, ThreadPool& pool) {
+Division divided(const PanelMesh& mesh, const std::optional<Plane>& plane, double limit,
+                 const SeamPrices& prices, const DivisionWay& way, ThreadPool& pool) {
   std::vector<Index> all(mesh.triangles().size());
   std::iota(all.begin(), all.end(), Index{0});
+  const std::size_t count = plane ? (way.cells + 1) / 2 : way.cells;
   const std::vector<Index> small =
-      divided_cells(mesh, normal_cells(mesh, all, way.cells), k_of_limit * limit, pool);
+      divided_cells(mesh, normal_cells(mesh, all, count), k_of_limit * limit, pool);
   const double merge_limit = way.merge_limit * limit;
   std::vector<Index> faces = merge_cells(mesh, divided_at_creases(mesh, small),
                                          {.limit = merge_limit, .on_creases = k_on_creases}, pool);
@@ -100,13 +119,9 @@ Division divided(const PanelMesh& mesh, double limit, const SeamPrices& prices,
                        ? CellMesh{mesh, std::move(faces)}
                        : lined_cells(mesh, merge_cells(mesh, small, {.limit = merge_limit}, pool),
                                      limit, way.spread, pool);
-  OpenEdges seams = open_between(lined.mesh, lined.cells);
-  std::vector<SeamChain> chains = seam_chains(lined.mesh, seams);
-  const auto net = std::make_shared<const SeamNet>(
-      SeamNet{std::move(lined.mesh), std::move(seams), std::move(chains)});
-  FlatState flat =
-      zipped_flat(SeamState(net->mesh, net->seams, pool), net->chains, limit, prices,
-                  favours(net->chains.size(), way.seed), OpenEdges(net->seams.size(), 0), pool);
+  const auto net = std::make_shared<const SeamNet>(net_of(std::move(lined), plane));
+  FlatState flat = zipped_flat(SeamState(net->mesh, net->seams, pool), net->chains, limit, prices,
+                               favours(*net, way), OpenEdges(net->seams.size(), 0), pool);
   Division division{net, std::move(flat.state), flat.lies_flat, 0.0};
   division.cost = division.state.cost(prices);
   return division;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/thread_pool.h"
@@ -29,6 +30,7 @@ struct DivisionWay {
   double merge_limit = 0.3;  ///< up to which they are merged, of the limit
   double spread = 1.5;       ///< of cell_fields(), mean edges
   std::uint64_t seed = 0;    ///< of the factors of costs of chains; 0: all are 1
+  double plane = 1.0;        ///< one more of these, for seams on the plane of a mirrored mesh
 };
 
 /// The n-th way that is tried; the first is the plain one.
@@ -43,9 +45,10 @@ struct Division {
 };
 
 /// Cells by normals, merged, their borders made fair lines and edges of the mesh, closed again.
-/// @param mesh a product, thinned
+/// @param mesh a product, thinned, or with a plane the half on one side of it
+/// @param plane in which the pieces become mirror images of each other or of themselves
 /// @throws Cancelled
-Division divided(const PanelMesh& mesh, double limit, const SeamPrices& prices,
-                 const DivisionWay& way, ThreadPool& pool);
+Division divided(const PanelMesh& mesh, const std::optional<Plane>& plane, double limit,
+                 const SeamPrices& prices, const DivisionWay& way, ThreadPool& pool);
 
 }  // namespace planish

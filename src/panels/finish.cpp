@@ -5,6 +5,7 @@
 
 #include "panels/carried_seams.h"
 #include "panels/divided_piece.h"
+#include "panels/folded_seams.h"
 #include "panels/piece/laid_flat.h"
 #include "panels/seams/unzip.h"
 
@@ -16,6 +17,7 @@ constexpr double k_least_piece = 0.01;  // of the area
 constexpr double k_least_part = 0.002;  // of the area, where nothing else mends a piece
 constexpr double k_step = 0.02;         // of the root of the area, by which runs are opened
 constexpr double k_below = 0.995;       // of the limit that is aimed at
+constexpr double k_as_they_are = 0.01;  // mean edges that seams on a product move at most
 constexpr int k_rounds = 12;
 constexpr int k_divisions = 8;  // in two of what nothing else mends
 
@@ -55,10 +57,20 @@ class Finishing {
   void lay_flat() {
     const std::size_t first = flat_.size(), count = state_.pieces().size() - first;
     flat_.resize(state_.pieces().size());
+    const auto is_image = [&](std::size_t p) {
+      return !state_.pieces()[p].triangles.empty() && state_.is_image(p);
+    };
     pool_.for_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = first + begin; i < first + end; ++i)
-        flat_[i] = laid(state_.pieces()[i]);
+      for (std::size_t i = first + begin; i < first + end; ++i) {
+        if (!is_image(i)) flat_[i] = laid(state_.pieces()[i]);
+      }
     });
+    for (std::size_t p = first; p < flat_.size(); ++p) {
+      if (!is_image(p)) continue;
+      const std::vector<Index>& triangles = state_.pieces()[p].triangles;
+      flat_[p] = flat_[state_.piece_of(net_->mesh.image_of_triangle(triangles.front()))];
+      flat_[p].triangles = triangles;
+    }
   }
 
   FlatPiece laid(const PanelPiece& piece) const {
@@ -79,7 +91,7 @@ class Finishing {
     const std::size_t count = flat_.size();
     for (std::size_t p = 0; p < count; ++p) {
       const PanelPiece& piece = state_.pieces()[p];
-      if (piece.triangles.empty() || flat_[p].keeps(limits_)) continue;
+      if (piece.triangles.empty() || flat_[p].keeps(limits_) || state_.is_image(p)) continue;
       // What laps is smaller once it is divided, and may keep the limit then.
       if (flat_[p].overlaps || !flat_[p].has_pattern) {
         changed = divide(p) || changed;
@@ -96,7 +108,8 @@ class Finishing {
   bool divide(std::size_t p) {
     const std::vector<Index> run = lapping_run(state_, net_->chains, p, prices_.piece).run;
     if (run.empty()) return false;
-    state_.open(run, state_.opened_pieces(run));
+    const SeamRun opened = state_.run_of(run);
+    state_.open(opened, state_.opened_pieces(opened));
     return true;
   }
 
@@ -108,12 +121,17 @@ class Finishing {
   std::vector<FlatPiece> flat_;  // by piece of the state
 };
 
-}  // namespace
+/// What a mirrored product keeps, so that the product, which may differ a little, does as well.
+StrainLimits a_little_below(StrainLimits limits) {
+  constexpr double k_share = 0.998;
+  for (double* limit : {&limits.rms, &limits.p99, &limits.p99_stretch, &limits.p99_compression,
+                        &limits.max, &limits.max_stretch, &limits.max_compression})
+    *limit *= k_share;
+  return limits;
+}
 
-FinishedDivision finished(const Patch& product, const Division& division,
-                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool) {
-  CarriedSeams carried =
-      carried_seams(product, *division.net, division.state.open(), k_least_piece);
+FinishedDivision finished(CarriedSeams carried, const StrainLimits& limits,
+                          const SeamPrices& prices, ThreadPool& pool) {
   for (int round = 0;; ++round) {
     const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
     FinishedDivision result = Finishing(net, std::move(carried.open), limits, prices, pool).run();
@@ -122,8 +140,31 @@ FinishedDivision finished(const Patch& product, const Division& division,
     for (const FlatPiece& piece : result.pieces) {
       if (!piece.keeps(limits)) bad.push_back(piece.triangles);
     }
-    carried = with_pieces_divided(*net, result.open, bad, k_least_part, pool);
+    carried = net->mesh.is_mirrored()
+                  ? with_mirrored_pieces_divided(*net, result.open, bad, k_least_part, pool)
+                  : with_pieces_divided(*net, result.open, bad, k_least_part, pool);
   }
+}
+
+}  // namespace
+
+FinishedDivision finished(const Patch& product, const Division& division,
+                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool) {
+  CarriedSeams carried =
+      carried_seams(product, *division.net, division.state.open(), k_least_piece);
+  return finished(std::move(carried), limits, prices, pool);
+}
+
+FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
+                                   const Division& division, const StrainLimits& limits,
+                                   const SeamPrices& prices, ThreadPool& pool) {
+  const OpenEdges& open = division.state.open();
+  const FinishedDivision mirrored =
+      finished(carried_mirrored_seams(half, *division.net, open, k_least_piece),
+               a_little_below(limits), prices, pool);
+  CarriedSeams carried =
+      carried_seams(product, *mirrored.net, mirrored.open, k_least_part, k_as_they_are);
+  return finished(std::move(carried), limits, prices, pool);
 }
 
 }  // namespace planish

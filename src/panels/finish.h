@@ -39,4 +39,12 @@ struct FinishedDivision {
 FinishedDivision finished(const Patch& product, const Division& division,
                           const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool);
 
+/// The same of a division that is its own mirror image: all is done on the half of the product and
+/// mirrored, and what is found is carried over to the product.
+/// @param half as symmetric_mesh() makes it, on the side that the half of the division is on
+/// @throws Cancelled
+FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
+                                   const Division& division, const StrainLimits& limits,
+                                   const SeamPrices& prices, ThreadPool& pool);
+
 }  // namespace planish

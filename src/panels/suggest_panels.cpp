@@ -6,11 +6,13 @@
 #include <utility>
 
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/panels/suggest_panels.h>
 
 #include "core/job.h"
 #include "measure/area.h"
 #include "mesh/split.h"
+#include "panels/cells/halved_product.h"
 #include "panels/cells/thinned_product.h"
 #include "panels/division.h"
 #include "panels/finish.h"
@@ -88,7 +90,8 @@ class PanelSearch {
         pool_(context),
         prices_(prices_of(options.prefer)),
         rms_(rms_within(options.limits)),
-        thin_(thinned_product(product, options.trial_vertices, pool_)) {}
+        half_(options.symmetric_in ? halved_product(product, *options.symmetric_in) : std::nullopt),
+        thin_(thinned()) {}
 
   PanelSuggestion run() {
     try {
@@ -103,6 +106,12 @@ class PanelSearch {
   }
 
  private:
+  Patch thinned() const {
+    if (!half_) return thinned_product(product_, options_.trial_vertices, pool_);
+    const Patch half = thinned_product(*half_, options_.trial_vertices / 2, pool_);
+    return Patch(without_chords(half.mesh(), *options_.symmetric_in));
+  }
+
   void search() {
     for (std::size_t move = 0; move < options_.moves; move += k_together) {
       report_progress(
@@ -129,9 +138,12 @@ class PanelSearch {
   /// Nothing where the thinned product says that it is no better.
   std::optional<FinishedDivision> try_out(std::size_t move) const {
     ThreadPool alone(Context{.threads = 1, .is_cancelled = context_.is_cancelled});
-    const Division division = divided(thin_, rms_, prices_, way_of_move(move), alone);
+    const std::optional<Plane> plane = half_ ? options_.symmetric_in : std::nullopt;
+    const Division division = divided(thin_, plane, rms_, prices_, way_of_move(move), alone);
     const double cost = division.cost + (division.lies_flat ? 0.0 : k_lap);
     if (best_ && best_->is_valid && cost >= best_->cost) return std::nullopt;
+    if (half_)
+      return finished_mirrored(product_, *half_, division, options_.limits, prices_, alone);
     return finished(product_, division, options_.limits, prices_, alone);
   }
 
@@ -141,9 +153,14 @@ class PanelSearch {
   ThreadPool pool_;
   SeamPrices prices_;
   double rms_;
+  std::optional<Patch> half_;  // of a product that is to be divided symmetrically
   PanelMesh thin_;
   std::optional<FinishedDivision> best_;
 };
+
+bool is_symmetric_in(const Patch& part, const Plane& plane) {
+  return symmetry_in(part, plane).largest <= symmetry_tolerance(part.mesh());
+}
 
 /// Puts a divided part of a product behind those that are there.
 void add_part(const NamedPatch& part, const PanelSuggestion& divided, double share,
@@ -207,6 +224,8 @@ PanelSuggestion with_parts_divided(const Patch& product, const PanelOptions& opt
     };
     const Context of_job = part_of(context, share_at(k), share_at(k + 1));
     const Patch part(parts[k].mesh);
+    if (options.symmetric_in && !is_symmetric_in(part, *options.symmetric_in))
+      of_part.symmetric_in.reset();
     const PanelSuggestion divided = PanelSearch(part, of_part, of_job).run();
     whole = with_part(std::move(whole), k, divided);
   }

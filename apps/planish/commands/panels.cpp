@@ -135,6 +135,11 @@ Command panels_command() {
   FlagGroup search = {"What to look for", limit_flags()};
   for (Flag& flag : panel_flags())
     search.flags.push_back(std::move(flag));
+  Flag symmetric = {"--symmetric", "PLANE",
+                    "make left equal right: auto where the product is symmetric, \"x=0\" names "
+                    "the plane, no (default auto)"};
+  symmetric.accepts = {.type = ValueType::text, .standard = "auto"};
+  search.flags.push_back(std::move(symmetric));
   return {
       "panels",
       "where to cut a whole product into panels",

@@ -350,9 +350,14 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
     if (!is_symmetric) return cut_without_images(std::move(mesh), path, arguments, session, limits);
     SymmetricDesign symmetric(mesh, path, arguments, session);
     RequestedLines none;
-    CutInput input = arguments.has("--cut")
+    CutInput input = asks_for_lines(arguments)
                          ? cut_along_lines(mesh, &symmetric, path, arguments, session)
                          : CutInput{symmetric.surface_for(none)};
+    if (asks_for_panels(arguments)) {
+      CutInput divided = divided_into_panels(Patch(input.mesh), path, arguments, session);
+      if (input.cut) *divided.cut += *input.cut;
+      input = std::move(divided);
+    }
     input.mesh = symmetric.with_symmetric_pieces(input.mesh);
     input.symmetric_in = symmetric.plane();
     return input;

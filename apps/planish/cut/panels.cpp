@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <planish/mesh/cut.h>
 #include <planish/mesh/surface_line.h>
+#include <planish/mesh/symmetry.h>
 
 #include "cut/caps.h"
+#include "cut/symmetric_design.h"
 #include "flags/limit_flags.h"
 #include "flags/units.h"
 #include "mesh/mean_edge.h"
@@ -64,6 +67,20 @@ void note_idle_panel_flags(const Arguments& arguments, Session& session) {
   }
 }
 
+/// In which the panels become mirror images; nothing where they need not.
+std::optional<Plane> plane_of_panels(const Patch& patch, const std::string& path,
+                                     const Arguments& arguments, Session& session) {
+  const std::string asked = arguments.text("--symmetric", "auto");
+  if (asked == "no") return std::nullopt;
+  const Symmetry symmetry = requested_symmetry(patch, arguments);
+  const bool is_symmetric = symmetry.largest <= symmetry_tolerance(patch.mesh());
+  if (!is_symmetric && !arguments.has("--symmetric")) return std::nullopt;
+  require_symmetric(patch, symmetry);
+  if (!arguments.has("--symmetric"))
+    session.note(path + ": left equals right, so the panels do; --symmetric no looks for others");
+  return symmetry.plane;
+}
+
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
                                 const Arguments& arguments, Session& session) {
   PanelOptions options = panel_options_from(arguments);
@@ -73,6 +90,7 @@ PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
                  (better.met ? "" : "; the limit is not kept"));
   };
   const Patch sound(without_caps(patch.mesh(), arguments, session));
+  options.symmetric_in = plane_of_panels(sound, path, arguments, session);
   PanelSuggestion found = suggest_panels(sound, options, session.job_context(path));
   if (found.was_cancelled) {
     session.resume();

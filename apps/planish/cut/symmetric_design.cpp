@@ -43,10 +43,10 @@ bool asks_for_symmetry(const Arguments& arguments) {
         "flag --symmetric does not go with --cut-along edges, as edges need not have mirror "
         "images");
   }
-  if (asks_to_open(arguments) || asks_for_panels(arguments)) {
-    throw UsageError("flag --symmetric does not go with --cut " +
-                     std::string(asks_to_open(arguments) ? "open" : "auto") +
-                     ": name the lines, as --cut \"plane x=0\"");
+  if (asks_to_open(arguments)) {
+    throw UsageError(
+        "flag --symmetric does not go with --cut open: name the lines, as --cut \"plane x=0\", or "
+        "let --cut auto divide it");
   }
   return true;
 }
@@ -133,22 +133,23 @@ std::string pieces_text(std::span<const MirrorPiece> found, const TriMesh& mesh,
 
 }  // namespace
 
+Symmetry requested_symmetry(const Patch& patch, const Arguments& arguments) {
+  const std::string asked = arguments.text("--symmetric", "auto");
+  if (asked == "auto") return find_symmetry(patch);
+  Plane plane = axis_plane("--symmetric", "", asked, arguments);
+  plane.offset *= scale_from(arguments);
+  return symmetry_in(patch, plane);
+}
+
 SymmetricDesign::SymmetricDesign(const TriMesh& mesh, const std::string& path,
                                  const Arguments& arguments, Session& session)
     : mesh_(mesh), path_(path), arguments_(arguments), session_(session) {
   const Patch patch(mesh);
-  const std::string asked = arguments.text("--symmetric");
-  Symmetry symmetry;
-  if (asked == "auto") {
-    symmetry = find_symmetry(patch);
-  } else {
-    Plane plane = axis_plane("--symmetric", "", asked, arguments);
-    plane.offset *= scale_from(arguments);
-    symmetry = symmetry_in(patch, plane);
-  }
+  const Symmetry symmetry = requested_symmetry(patch, arguments);
   plane_ = symmetry.plane;
   // Half of what is named is enough where it is to stand for both.
-  if (asked == "auto" || !arguments.has("--mirror-surface")) require_symmetric(patch, symmetry);
+  if (arguments.text("--symmetric") == "auto" || !arguments.has("--mirror-surface"))
+    require_symmetric(patch, symmetry);
   side_ = greater_side(mesh, plane_);
   const bool is_exact = symmetry.largest <= k_rounding * bounding_box_diagonal(mesh);
   const ShownLengths lengths(unit_from(arguments));

@@ -18,6 +18,10 @@ std::vector<Flag> symmetric_flags();
 /// @throws UsageError for --mirror-surface without a plane, and beside what has no mirror image
 bool asks_for_symmetry(const Arguments& arguments);
 
+/// That in the plane of --symmetric, found where it is auto or not given; model units.
+/// @throws Error as find_symmetry(); UsageError
+Symmetry requested_symmetry(const Patch& patch, const Arguments& arguments);
+
 /// A design that is to be its own mirror image.
 class SymmetricDesign {
  public:

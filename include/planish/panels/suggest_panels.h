@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include <planish/core/context.h>
 #include <planish/measure/limit_check.h>
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 
 namespace planish {
 
@@ -49,7 +51,10 @@ struct PanelOptions {
   StrainLimits limits = {.rms = 0.02};            ///< of each pattern; at least one
   PanelPreference prefer = PanelPreference::few;  ///< what is saved first
   std::size_t moves = 12;                         ///< divisions that are tried, 1 or more
-  std::size_t trial_vertices = 3000;              ///< of the thinned product, at least 100
+  /// Where given: a plane in which the product is its own mirror image. The panels then are, but
+  /// for what the product itself is not: each lies across the plane, or has a mirror image.
+  std::optional<Plane> symmetric_in = {};
+  std::size_t trial_vertices = 3000;  ///< of the thinned product, at least 100
   /// Called with each division that is better than those before, from the calling thread; of a
   /// product of several parts once the others are divided. What it throws ends the search and is
   /// passed on.
@@ -60,7 +65,8 @@ struct PanelOptions {
 /// limit (docs/panels.md). The same bits every time, whatever the number of threads.
 /// Several parts are divided one after the other.
 /// @return the best that was found; `met` says whether it keeps the limits
-/// @throws Error option_out_of_range, what stands in the way of Purpose::measure; Cancelled before
+/// @throws Error option_out_of_range, not_symmetric, what stands in the way of Purpose::measure;
+/// Cancelled before
 ///   there is a division
 PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options = {},
                                const Context& context = {});

@@ -10,6 +10,7 @@
 #include "geometry/cotangents.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/match/symmetric_whole.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -40,6 +41,21 @@ PanelMesh::PanelMesh(Patch patch) : patch_(std::move(patch)) {
   }
   if (!edges_.empty()) mean_edge_ = length.value() / static_cast<double>(edges_.size());
   rank_vertices();
+}
+
+PanelMesh::PanelMesh(const Patch& half, const Plane& plane)
+    : PanelMesh(Patch(with_mirror_image(half.mesh(), fold_vertices(half, plane), plane).mesh)) {
+  plane_ = plane;
+  image_.resize(edges_.size());
+  for (Index t = 0; t < triangles().size() / 2; ++t) {
+    // The image is turned over: its side from corner 0 is that to corner 0.
+    const Index image = static_cast<Index>(t + triangles().size() / 2);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index e = sides_[t][i], f = sides_[image][2 - i];
+      image_[e] = f;
+      image_[f] = e;
+    }
+  }
 }
 
 void PanelMesh::rank_vertices() {
@@ -73,6 +89,29 @@ void PanelMesh::pair_sides() {
     }
     edges_.push_back(edge);
   }
+}
+
+std::vector<bool> fold_vertices(const Patch& half, const Plane& plane) {
+  constexpr double k_on_plane = 1e-6;  // of the diagonal
+  const double most = k_on_plane * bounding_box_diagonal(half.mesh());
+  const auto is_near = [&](Index v) {
+    return std::abs(height_over(plane, half.positions()[v])) <= most;
+  };
+  std::vector<bool> on_fold(half.vertex_count(), false);
+  for (const std::vector<Index>& loop : half.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+      if (is_near(v) && is_near(w)) on_fold[v] = on_fold[w] = true;
+    }
+  }
+  return on_fold;
+}
+
+double length_of(const PanelMesh& mesh, std::span<const Index> edges) {
+  double length = 0.0;
+  for (const Index e : edges)
+    length += mesh.edges()[e].length;
+  return length;
 }
 
 bool is_crease(const PanelMesh& mesh, const PanelEdge& edge) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 
 namespace planish {
 
@@ -30,6 +31,10 @@ struct PanelEdge {
 class PanelMesh {
  public:
   explicit PanelMesh(Patch patch);
+  /// A half and its mirror image: the vertices and the triangles of the half come first, those on
+  /// the plane are in both.
+  /// @param half on one side of the plane; some of its border is on it
+  PanelMesh(const Patch& half, const Plane& plane);
 
   const Patch& patch() const { return patch_; }
   const std::vector<Triangle>& triangles() const { return patch_.triangles(); }
@@ -47,6 +52,22 @@ class PanelMesh {
   /// join vertices up to two edges apart, those of any part too.
   Index rank(Index vertex) const { return rank_[vertex]; }
 
+  /// Whether it was made of a half and its mirror image.
+  bool is_mirrored() const { return !image_.empty(); }
+  /// @pre it is mirrored
+  const Plane& plane() const { return plane_; }
+  /// The edge at the mirror image of one: on the plane itself. @pre it is mirrored
+  Index image_of_edge(Index edge) const { return image_[edge]; }
+  /// @pre it is mirrored
+  Index image_of_triangle(Index triangle) const {
+    const auto half = static_cast<Index>(triangles().size() / 2);
+    return triangle < half ? triangle + half : triangle - half;
+  }
+  /// Whether a triangle is of the image, not of the half; never where nothing is mirrored.
+  bool is_image(Index triangle) const {
+    return is_mirrored() && triangle >= triangles().size() / 2;
+  }
+
  private:
   void pair_sides();
   void rank_vertices();
@@ -57,8 +78,16 @@ class PanelMesh {
   std::vector<std::array<double, 3>> angles_, cotangents_;
   std::vector<double> areas_;
   std::vector<Index> rank_;
+  std::vector<Index> image_;  // of each edge
+  Plane plane_;
   double scale_ = 1.0, mean_edge_ = 0.0;
 };
+
+/// Which vertices of a half are on the plane: those at the ends of edges of its border that are.
+std::vector<bool> fold_vertices(const Patch& half, const Plane& plane);
+
+/// The sum of the lengths of some edges.
+double length_of(const PanelMesh& mesh, std::span<const Index> edges);
 
 /// Whether the surface bends by 30 degrees or more at an edge.
 bool is_crease(const PanelMesh& mesh, const PanelEdge& edge);

@@ -110,11 +110,25 @@ class DividingRun {
         divides(both);
       }
     }
+    // A piece across the plane may lie on its own mirror image.
+    if (const std::vector<Index> plane = closed_on_plane(); !plane.empty()) divides(plane);
     return std::move(best_);
   }
 
  private:
-  bool divides(const std::vector<Index>& run) {
+  std::vector<Index> closed_on_plane() const {
+    const PanelMesh& mesh = state_.mesh();
+    std::vector<Index> found;
+    for (Index e = 0; mesh.is_mirrored() && e < mesh.edges().size(); ++e) {
+      const bool is_inside = !mesh.edges()[e].is_border() && state_.open()[e] == 0 &&
+                             state_.piece_of(mesh.edges()[e].triangles[0]) == piece_;
+      if (is_inside && mesh.image_of_edge(e) == e) found.push_back(e);
+    }
+    return found;
+  }
+
+  bool divides(const std::vector<Index>& edges) {
+    const std::vector<Index> run = state_.run_of(edges).edges;
     Divided divided(state_, piece_, run);
     if (!divided.is_divided()) return false;
     if (divided.least_area() < k_least_part) return true;
@@ -161,11 +175,12 @@ FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, dou
     OpenEdges open = state.open();
     bool laps = false, is_stuck = true;
     for (std::size_t p = 0; p < state.pieces().size(); ++p) {
-      if (state.pieces()[p].triangles.empty()) continue;
+      if (state.pieces()[p].triangles.empty() || state.is_image(p)) continue;
       const LappingRun lapping = lapping_run(state, chains, p, prices.piece);
       laps = laps || lapping.laps;
       for (const Index e : lapping.run) {
         open[e] = held[e] = 1;
+        if (state.mesh().is_mirrored()) open[state.mesh().image_of_edge(e)] = 1;
         is_stuck = false;
       }
     }

@@ -88,6 +88,14 @@ std::vector<SeamChain> seam_chains(const PanelMesh& mesh, const OpenEdges& seams
   return ChainFinder(mesh, seams).find();
 }
 
+std::vector<SeamChain> chains_of_half(const PanelMesh& mesh, const OpenEdges& seams) {
+  std::vector<SeamChain> chains = seam_chains(mesh, seams);
+  std::erase_if(chains, [&](const SeamChain& chain) {
+    return mesh.is_image(mesh.edges()[chain.edges.front()].triangles[0]);
+  });
+  return chains;
+}
+
 std::vector<Index> parts_of(const PanelMesh& mesh, const OpenEdges& open) {
   std::vector<Index> parts(mesh.triangles().size());
   Index number = 0;

@@ -19,6 +19,9 @@ struct SeamChain {
 /// Chains of the edges that are set, in the order of their first vertices; round ones last.
 std::vector<SeamChain> seam_chains(const PanelMesh& mesh, const OpenEdges& seams);
 
+/// Those of a mirrored mesh that are of its half or on its plane; all of another.
+std::vector<SeamChain> chains_of_half(const PanelMesh& mesh, const OpenEdges& seams);
+
 /// A mesh divided into cells along its edges.
 struct CellMesh {
   PanelMesh mesh;

@@ -52,7 +52,9 @@ bool unzip(SeamState& state, const std::vector<SeamChain>& chains, std::size_t p
       over.pop_back();
       continue;
     }
-    const std::vector<std::vector<Index>> ways = openings(state, chains, p, step);
+    std::vector<SeamRun> ways;
+    for (const std::vector<Index>& edges : openings(state, chains, p, step))
+      ways.push_back(state.run_of(edges));
     std::vector<std::vector<PanelPiece>> pieces(ways.size());
     pool.for_ranges(ways.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -61,17 +63,18 @@ bool unzip(SeamState& state, const std::vector<SeamChain>& chains, std::size_t p
     std::size_t best = ways.size();
     double most = 0.0;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-      double less = state.pieces()[p].energy, length = 0.0;
+      double less = state.pieces()[p].energy;
       for (const PanelPiece& part : pieces[i])
         less -= part.energy;
-      for (const Index e : ways[i])
-        length += state.mesh().edges()[e].length;
+      const double length = length_of(state.mesh(), ways[i].edges);
       if (less / length > most) most = less / length, best = i;
     }
     if (best == ways.size()) return false;
     over.pop_back();
-    for (std::size_t k = 0; k < pieces[best].size(); ++k)
-      over.push_back(state.pieces().size() + k);
+    for (std::size_t k = 0; k < pieces[best].size(); ++k) {
+      const bool is_image = state.mesh().is_image(pieces[best][k].triangles.front());
+      if (!is_image) over.push_back(state.pieces().size() + k);
+    }
     state.open(ways[best], std::move(pieces[best]));
   }
   return true;

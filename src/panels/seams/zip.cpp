@@ -77,21 +77,22 @@ Zip::Key Zip::key_of(const SeamState& state, const Action& action) const {
 
 Zip::Outcome Zip::try_out(const SeamState& state, const Action& action) const {
   Outcome outcome{{}, k_never, k_never};
-  const std::vector<Index> edges = edges_of(action);
-  const auto& sides = state.mesh().edges()[edges.front()].triangles;
-  const Index p = state.piece_of(sides[0]), q = state.piece_of(sides[1]);
-  const PanelPiece &a = state.pieces()[p], &b = state.pieces()[q];
-  const double before = a.energy + (p == q ? 0.0 : b.energy);
-  const double most = limit_ * limit_ * (a.area + (p == q ? 0.0 : b.area));
-  double length = 0.0;
-  for (const Index e : edges)
-    length += state.mesh().edges()[e].length;
-  const double gain =
-      length + (p == q ? 0.0 : prices_.piece) - prices_.tip * state.more_tips(edges);
+  const SeamRun run = state.run_of(edges_of(action));
+  double before = 0.0, area = 0.0;
+  std::size_t loops = 1;  // less one where two pieces meet
+  for (const Index p : run.pieces) {
+    before += state.pieces()[p].energy;
+    area += state.pieces()[p].area;
+    loops += state.pieces()[p].cut_loops;
+  }
+  loops -= std::min(loops, run.pieces.size());
+  const double most = limit_ * limit_ * area;
+  const double gain = length_of(state.mesh(), run.edges) +
+                      prices_.piece * static_cast<double>(run.pieces.size() - 1) -
+                      prices_.tip * state.more_tips(run.edges);
   if (before > most || gain <= 0.0) return outcome;
   // No piece becomes a ring around another; holes of the mesh may stay.
-  const std::size_t both = a.cut_loops + (p == q ? 0 : b.cut_loops - 1);
-  outcome.piece = state.closed_piece(edges, std::max<std::size_t>(both, 1));
+  outcome.piece = state.closed_piece(run, std::max<std::size_t>(loops, 1));
   outcome.more = std::max(outcome.piece.energy - before, 0.0);
   if (outcome.piece.energy > most) return outcome;
   outcome.ratio = outcome.more / gain * (favour_.empty() ? 1.0 : favour_[action.chain]);
@@ -134,15 +135,16 @@ bool Zip::close_best(SeamState& state, const OpenEdges& held, double step,
     if (ratio < best_ratio) best_ratio = ratio, best = i;
   }
   if (best == all.size()) return false;
-  const Key key = key_of(state, all[best]);
-  steps.push_back(edges_of(all[best]));
-  PanelPiece piece = std::move(known_.at(key).piece);
-  const auto [low, high] = std::pair{std::get<3>(key), std::get<4>(key)};
-  std::erase_if(known_, [&, low = low, high = high](const auto& entry) {
-    const Index p = std::get<3>(entry.first), q = std::get<4>(entry.first);
-    return p == low || p == high || q == low || q == high;
+  const SeamRun run = state.run_of(edges_of(all[best]));
+  PanelPiece piece = std::move(known_.at(key_of(state, all[best])).piece);
+  std::erase_if(known_, [&](const auto& entry) {
+    const auto is_gone = [&](Index p) {
+      return std::find(run.pieces.begin(), run.pieces.end(), p) != run.pieces.end();
+    };
+    return is_gone(std::get<3>(entry.first)) || is_gone(std::get<4>(entry.first));
   });
-  state.close(steps.back(), std::move(piece));
+  steps.push_back(run.edges);
+  state.close(run, std::move(piece));
   return true;
 }
 

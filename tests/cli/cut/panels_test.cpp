@@ -15,6 +15,7 @@ namespace planish::cli {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class Panels : public CliTest {
  protected:
@@ -69,6 +70,27 @@ TEST_F(Panels, AreWhatFlattenMakesOfAClosedSurface) {
   EXPECT_EQ(asked.json()["unfold"]["strain"], unasked.json()["unfold"]["strain"]);
 }
 
+TEST_F(Panels, AreMirrorImagesWhereTheProductIsItsOwn) {
+  TriMesh pear = solids::sphere(1.0, 24);
+  for (Vec3& p : pear.positions)
+    p = {(1.0 + 0.3 * p.y) * p.x, 1.5 * p.y, 0.8 * p.z + 0.3 * p.y * p.y};
+  write_mesh("pear.obj", pear);
+  const Names limit = {"--max-rms-strain", "4%", "--effort", "1"};
+  const auto run = [&](Names args) {
+    args.insert(args.end(), limit.begin(), limit.end());
+    return planish(args);
+  };
+  const std::string left_is_right = "pear.obj: left equals right";
+  EXPECT_THAT(run({"panels", "pear.obj"}).err, HasSubstr(left_is_right));
+  EXPECT_THAT(run({"panels", "pear.obj", "--symmetric", "no"}).err, Not(HasSubstr(left_is_right)));
+  // Each piece is its own mirror image, or has the mirrored pattern of another one.
+  const CliResult flat = run({"flatten", "pear.obj", "--cut", "auto", "--symmetric", "auto", "-o",
+                              "flat", "--formats", "svg"});
+  EXPECT_EQ(flat.exit_code, k_exit_done) << flat.err;
+  EXPECT_THAT(flat.err, HasSubstr("pear.obj: symmetric in x=0"));
+  EXPECT_THAT(flat.err, Not(HasSubstr("no mirror image was found")));
+}
+
 TEST_F(Panels, OfAStoppedSearchAreTheBestSoFar) {
   std::atomic<bool> stop = false;
   std::ostringstream out, err;
@@ -90,8 +112,10 @@ TEST_F(Panels, RefuseWhatTheyCannotDo) {
   };
   EXPECT_THAT(refused({"panels", "box.obj", "--effort", "0"}), HasSubstr("--effort"));
   EXPECT_THAT(refused({"panels", "box.obj", "--prefer-cuts", "long"}), HasSubstr("few"));
-  EXPECT_THAT(refused({"flatten", "box.obj", "--symmetric", "x=0", "--cut", "auto"}),
-              HasSubstr("does not go with --cut auto"));
+  EXPECT_THAT(refused({"flatten", "box.obj", "--symmetric", "x=0", "--cut", "open"}),
+              HasSubstr("does not go with --cut open"));
+  EXPECT_THAT(planish({"panels", "dome.obj", "--symmetric", "y=3"}).err,
+              HasSubstr("error: dome.obj: the mesh is not symmetric"));
   write_mesh("fins.obj", meshes::fins());
   EXPECT_THAT(planish({"panels", "fins.obj", "--strict"}).err,
               HasSubstr("error: fins.obj: 1 edge is shared by more than two triangles"));

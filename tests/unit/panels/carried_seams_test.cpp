@@ -17,7 +17,7 @@ TEST(CarriedSeams, DivideTheProductAsTheThinnedOne) {
   const Patch product(solids::sphere(1.0, 48));
   ThreadPool pool(2);
   const PanelMesh thin(thinned_product(product, 600, pool));
-  const Division division = divided(thin, 0.03, {}, {.cells = 30}, pool);
+  const Division division = divided(thin, {}, 0.03, {}, {.cells = 30}, pool);
   const CarriedSeams carried = carried_seams(product, *division.net, division.state.open(), 0.01);
   const OpenEdges& open = carried.open;
   EXPECT_EQ(open_parts(carried.net.mesh, open).size(), division.state.piece_count());

@@ -7,6 +7,7 @@
 #include <planish/mesh/geodesic.h>
 #include <planish/mesh/imprint.h>
 
+#include "mesh/disjoint_sets.h"
 #include "panels/cells/merge_cells.h"
 
 namespace planish {
@@ -104,17 +105,33 @@ void set_edges(const PanelMesh& mesh, const std::vector<Index>& path, OpenEdges&
   }
 }
 
-/// An open edge that meets neither another one nor the border opens nothing.
-void close_lone_edges(const PanelMesh& mesh, OpenEdges& open) {
-  std::vector<int> open_at(mesh.patch().positions().size(), 0);
+/// Closes slits that meet neither the border nor the outline of their piece: they would open holes.
+void close_islands(const PanelMesh& mesh, OpenEdges& open) {
+  DisjointSets<Index> sets(mesh.patch().vertex_count());  // joined by open edges and the border
   for (Index e = 0; e < open.size(); ++e) {
-    for (const Index v : mesh.edges()[e].ends)
-      open_at[v] += open[e] != 0 ? 1 : 0;
+    if (open[e] != 0 || mesh.edges()[e].is_border())
+      sets.join(mesh.edges()[e].ends[0], mesh.edges()[e].ends[1]);
   }
-  const auto is_met = [&](Index v) { return open_at[v] > 1 || mesh.patch().is_border(v); };
+  const std::vector<Index> parts = parts_of(mesh, open);
+  // What bounds each part: one of the sets, or more.
+  constexpr Index k_several = PanelEdge::none - 1;
+  std::vector<Index> bound(mesh.triangles().size(), PanelEdge::none);
+  std::vector<unsigned char> is_outline(mesh.patch().vertex_count(), 0);  // by set
   for (Index e = 0; e < open.size(); ++e) {
-    const auto& [v, w] = mesh.edges()[e].ends;
-    if (open[e] != 0 && !is_met(v) && !is_met(w)) open[e] = 0;
+    const PanelEdge& edge = mesh.edges()[e];
+    if (open[e] == 0 && !edge.is_border()) continue;
+    const Index set = sets.first_of(edge.ends[0]);
+    if (edge.is_border() || parts[edge.triangles[0]] != parts[edge.triangles[1]])
+      is_outline[set] = 1;
+    for (const Index t : edge.triangles) {
+      if (t == PanelEdge::none) continue;
+      Index& of_part = bound[parts[t]];
+      of_part = of_part == PanelEdge::none || of_part == set ? set : k_several;
+    }
+  }
+  for (Index e = 0; e < open.size(); ++e) {
+    if (open[e] == 0 || is_outline[sets.first_of(mesh.edges()[e].ends[0])] != 0) continue;
+    if (bound[parts[mesh.edges()[e].triangles[0]]] == k_several) open[e] = 0;
   }
 }
 
@@ -148,7 +165,7 @@ CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> li
     if (open[e] != 0 && parts[sides[0]] != parts[sides[1]] && joined[sides[0]] == joined[sides[1]])
       open[e] = 0;
   }
-  close_lone_edges(mesh, open);
+  close_islands(mesh, open);
   std::vector<SeamChain> chains = seam_chains(mesh, seams);
   return {{std::move(mesh), std::move(seams), std::move(chains)}, std::move(open)};
 }

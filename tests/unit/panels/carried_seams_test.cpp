@@ -1,13 +1,16 @@
 #include "panels/carried_seams.h"
 
+#include <algorithm>
 #include <numeric>
 
+#include <planish/mesh/carry.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
 #include "panels/cells/thinned_product.h"
 #include "panels/divided_piece.h"
+#include "support/meshes.h"
 #include "support/solids.h"
 
 namespace planish {
@@ -30,6 +33,22 @@ TEST(CarriedSeams, DivideTheProductAsTheThinnedOne) {
   const SeamState state(carried.net.mesh, open, pool);
   for (const PanelPiece& piece : state.pieces())
     EXPECT_LT(piece.strain(), 1.2 * 0.03);
+}
+
+/// How many edges stay open along a line over the middle of a mesh.
+std::size_t left_open(const Patch& patch, Vec3 from, Vec3 to) {
+  const std::vector<SurfaceLine> line = trace_lines(patch, {{{{from, to}, {}}}, {}}).lines;
+  const std::vector<unsigned char> is_open(line.size(), 1);
+  const OpenEdges open = imprinted_seams(patch, line, is_open, 0.01).open;
+  return static_cast<std::size_t>(std::count(open.begin(), open.end(), 1));
+}
+
+TEST(ImprintedSeams, CloseSlitsThatMeetNeitherTheBorderNorAnother) {
+  const Patch sheet(meshes::flat_grid(8, 8));
+  EXPECT_EQ(left_open(sheet, {2, 3, 0}, {5, 4, 0}), 0U);
+  EXPECT_GT(left_open(sheet, {0, 3, 0}, {5, 4, 0}), 4U);
+  // A slit is all that a closed surface has.
+  EXPECT_GT(left_open(Patch(solids::sphere(1.0, 24)), {1, 0, 0}, {0.8, 0.6, 0}), 2U);
 }
 
 TEST(DividedPiece, IsTwoPieces) {

@@ -98,7 +98,12 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
   } else {
     cut.mesh = std::move(patch.mesh);
   }
-  if (cut.cut) *all.cut += *cut.cut;
+  if (cut.cut) {
+    if (all.cut)
+      *all.cut += *cut.cut;
+    else
+      all.cut = cut.cut;
+  }
   all.symmetric_in = cut.symmetric_in;
   std::vector<ProductPatch> pieces;
   for (NamedPatch& piece : split(cut.mesh, patch.name)) {
@@ -154,7 +159,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
         " goes with one patch only, but for --cut open and auto; the input has several: "
         "take one with --only NAME, or what hangs together as one with --divide parts");
   }
-  CutInput all{{}, CutOutcome{}};
+  CutInput all;
   std::vector<ProductPatch> patches;
   std::vector<MeshFormat> formats;
   if (!are_several) {
@@ -190,7 +195,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
   }
   input.symmetric_in = all.symmetric_in;
-  return is_symmetric && !is_cut ? std::nullopt : all.cut;
+  return all.cut;
 }
 
 }  // namespace planish::cli

@@ -9,6 +9,7 @@
 
 #include <planish/mesh/inspect.h>
 
+#include "cut/panel_places.h"
 #include "cut/panels.h"
 #include "cut/requested_lines.h"
 #include "cut/symmetric_design.h"
@@ -106,7 +107,10 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
   }
   all.symmetric_in = cut.symmetric_in;
   std::vector<ProductPatch> pieces;
-  for (NamedPatch& piece : split(cut.mesh, patch.name)) {
+  const bool is_automatic =
+      cut.cut && (!reason.empty() || (asks_for_panels(arguments) && !asks_for_lines(arguments)));
+  for (NamedPatch& piece :
+       is_automatic ? pieces_by_place(cut.mesh, patch.name) : split(cut.mesh, patch.name)) {
     pieces.push_back(patch);
     pieces.back().name = std::move(piece.name);
     pieces.back().mesh = std::move(piece.mesh);

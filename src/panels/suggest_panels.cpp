@@ -36,6 +36,8 @@ SeamPrices prices_of(PanelPreference preference) {
 
 void require(const Patch& patch, const PanelOptions& options) {
   require(patch.inspection(), Purpose::measure);
+  if (!(area_of(patch.mesh(), patch.unit_scale()) > 0.0))
+    throw Error(ErrorCode::zero_area, "no triangle of the surface has an area");
   require(options.limits);
   if (!options.limits.any())
     throw Error(ErrorCode::option_out_of_range, "panels need a limit of strain");

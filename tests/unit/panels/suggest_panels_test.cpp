@@ -104,6 +104,10 @@ TEST(SuggestPanels, RefusesWhatItCannotDivide) {
   };
   EXPECT_EQ(code_of(solids::cube(), {.limits = {}}), ErrorCode::option_out_of_range);
   EXPECT_EQ(code_of(solids::cube(), {.moves = 0}), ErrorCode::option_out_of_range);
+  TriMesh line = meshes::flat_grid(3, 3);
+  for (Vec3& p : line.positions)
+    p = {p.x + 10.0 * p.y, 0.0, 0.0};
+  EXPECT_EQ(code_of(line, {.moves = 1}), ErrorCode::zero_area);
 }
 
 TEST(SuggestPanels, DividesPartsAndHandles) {

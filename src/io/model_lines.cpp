@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,9 +12,8 @@
 #include <planish/io/read_mesh.h>
 
 #include "io/file/file_bytes.h"
-#include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
-#include "io/formats/obj_references.h"
+#include "io/formats/obj_texture.h"
 #include "platform/path.h"
 
 namespace planish {
@@ -62,89 +60,22 @@ class Differences {
   std::map<Ends, std::optional<std::size_t>, ByCoordinates> found_;
 };
 
-/// Reads the texture of an OBJ file. Edges are seams where it is elsewhere on one side than on the
-/// other.
-class TextureSeams {
- public:
-  TextureSeams(std::string_view bytes, const std::string& name)
-      : name_(name), cursor_(bytes, name, {.comments = true, .continuation = true}) {}
-
-  DrawnLines lines() {
-    for (; !cursor_.at_end(); cursor_.next_line()) {
-      const std::string_view keyword = cursor_.token();
-      if (keyword == "v") vertex();
-      if (keyword == "vt") texture();
-      if (keyword == "f") face();
-    }
-    references_.check(positions_.size(), cursor_);
-    if (texture_.empty()) {
-      throw Error(ErrorCode::misplaced_cut, "the file has no texture coordinates (vt)",
-                  {.path = name_});
-    }
-    Differences<std::array<std::optional<Vec2>, 2>> seams;
-    for (const Face& face : faces_) {
-      for (std::size_t k = 0; k < face.corners.size(); ++k) {
-        const Corner &one = face.corners[k], &next = face.corners[(k + 1) % face.corners.size()];
-        Vec3 a = positions_[one.vertex], b = positions_[next.vertex];
-        std::array<std::optional<Vec2>, 2> side = {texture_of(one), texture_of(next)};
-        if (a == b) continue;
-        if (is_lower(b, a)) std::swap(a, b), std::swap(side[0], side[1]);
-        seams.add(a, b, side, face.line);
-      }
-    }
-    return seams.lines(name_);
-  }
-
- private:
-  struct Corner {
-    Index vertex = 0;
-    long long texture = 0;  // from 1 on; 0: none
-  };
-  struct Face {
-    std::vector<Corner> corners;
-    std::size_t line;  // of the file
-  };
-
-  void vertex() {
-    const double x = cursor_.number(), y = cursor_.number(), z = cursor_.number();
-    positions_.push_back({x, y, z});
-  }
-
-  void texture() {
-    const double u = cursor_.number();
-    texture_.push_back({u, cursor_.at_line_end() ? 0.0 : cursor_.number()});
-  }
-
-  void face() {
-    Face& face = faces_.emplace_back(Face{{}, cursor_.line()});
-    while (!cursor_.at_line_end()) {
-      const std::string_view word = cursor_.token();
-      const Index vertex = references_.vertex(word, "face", positions_.size(), cursor_);
-      face.corners.push_back({vertex, texture_number(word)});
+/// Edges at which the texture is elsewhere on one side than on the other.
+DrawnLines texture_seams(const ObjTexture& texture, const std::string& name) {
+  Differences<std::array<std::optional<Vec2>, 2>> seams;
+  for (const TexturedFace& face : texture.faces) {
+    for (std::size_t k = 0; k < face.corners.size(); ++k) {
+      const TexturedCorner &one = face.corners[k],
+                           &next = face.corners[(k + 1) % face.corners.size()];
+      Vec3 a = texture.positions[one.vertex], b = texture.positions[next.vertex];
+      std::array<std::optional<Vec2>, 2> side = {one.place, next.place};
+      if (a == b) continue;
+      if (is_lower(b, a)) std::swap(a, b), std::swap(side[0], side[1]);
+      seams.add(a, b, side, face.line);
     }
   }
-
-  long long texture_number(std::string_view word) const {
-    const std::size_t slash = std::min(word.find('/'), word.size());
-    const std::string_view behind = word.substr(std::min(slash + 1, word.size()));
-    long long number = 0;
-    std::from_chars(behind.data(), behind.data() + behind.size(), number);
-    return number < 0 ? static_cast<long long>(texture_.size()) + number + 1 : number;
-  }
-
-  std::optional<Vec2> texture_of(const Corner& corner) const {
-    if (corner.texture < 1 || corner.texture > static_cast<long long>(texture_.size()))
-      return std::nullopt;
-    return texture_[static_cast<std::size_t>(corner.texture - 1)];
-  }
-
-  const std::string& name_;
-  TextCursor cursor_;
-  ObjReferences references_;
-  std::vector<Vec3> positions_;
-  std::vector<Vec2> texture_;
-  std::vector<Face> faces_;
-};
+  return seams.lines(name);
+}
 
 /// Edges between triangles of two parts.
 DrawnLines borders_between(const TriMesh& mesh, const FaceGroups& groups, const std::string& name) {
@@ -171,7 +102,7 @@ DrawnLines read_model_lines(const std::filesystem::path& path, ModelLines lines)
                   {.path = name});
     }
     const FileBytes file(path);
-    drawn = TextureSeams(file.view(), name).lines();
+    drawn = texture_seams(parse_obj_texture(file.view(), name), name);
   } else {
     const ReadResult file = read_mesh(path);
     const bool has_groups = !file.groups.names.empty();

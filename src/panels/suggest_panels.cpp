@@ -38,6 +38,8 @@ SeamPrices prices_of(PanelPreference preference) {
 
 void require(const Patch& patch, const PanelOptions& options) {
   require(patch.inspection(), Purpose::measure);
+  if (!(area_of(patch.mesh(), patch.unit_scale()) > 0.0))
+    throw Error(ErrorCode::zero_area, "no triangle of the surface has an area");
   require(options.limits);
   if (!options.limits.any())
     throw Error(ErrorCode::option_out_of_range, "panels need a limit of strain");
@@ -162,6 +164,31 @@ bool is_symmetric_in(const Patch& part, const Plane& plane) {
   return symmetry_in(part, plane).largest <= symmetry_tolerance(part.mesh());
 }
 
+/// Divides what hangs together, at the scale at which squares of lengths neither overflow nor
+/// vanish. That is a power of two, so no bit changes.
+PanelSuggestion with_one_divided(const Patch& product, const PanelOptions& options,
+                                 const Context& context) {
+  const double scale = product.unit_scale();
+  const auto at_own_scale = [&](PanelSuggestion found) {
+    const std::vector<Vec3>& given = product.positions();
+    std::vector<Vec3>& positions = found.mesh.positions;
+    std::copy(given.begin(), given.end(), positions.begin());
+    for (std::size_t v = given.size(); v < positions.size(); ++v)
+      positions[v] = (1.0 / scale) * positions[v];
+    found.length /= scale;
+    return found;
+  };
+  PanelOptions of_search = options;
+  if (of_search.symmetric_in) of_search.symmetric_in->offset *= scale;
+  if (options.on_better) {
+    of_search.on_better = [&](const PanelSuggestion& better) {
+      options.on_better(at_own_scale(better));
+    };
+  }
+  const Patch at_unit_scale(scaled(product.mesh(), scale));
+  return at_own_scale(PanelSearch(at_unit_scale, of_search, context).run());
+}
+
 /// Puts a divided part of a product behind those that are there.
 void add_part(const NamedPatch& part, const PanelSuggestion& divided, double share,
               PanelSuggestion& whole) {
@@ -194,10 +221,11 @@ PanelSuggestion with_parts_divided(const Patch& product, const PanelOptions& opt
                                    const Context& context) {
   const std::vector<NamedPatch> parts = split(product.mesh(), "part");
   const SeamPrices prices = prices_of(options.prefer);
+  const double scale = product.unit_scale();
   std::vector<double> areas;
   double area = 0.0;
   for (const NamedPatch& part : parts) {
-    areas.push_back(area_of(part.mesh, 1.0));
+    areas.push_back(area_of(part.mesh, scale));
     area += areas.back();
   }
   PanelSuggestion whole;
@@ -206,7 +234,7 @@ PanelSuggestion with_parts_divided(const Patch& product, const PanelOptions& opt
   const auto with_part = [&](PanelSuggestion so_far, std::size_t k,
                              const PanelSuggestion& divided) {
     add_part(parts[k], divided, areas[k] / area, so_far);
-    so_far.cost = so_far.length / std::sqrt(area) +
+    so_far.cost = scale * so_far.length / std::sqrt(area) +
                   prices.piece * static_cast<double>(so_far.panels.size()) +
                   prices.tip * static_cast<double>(so_far.tips);
     return so_far;
@@ -226,7 +254,7 @@ PanelSuggestion with_parts_divided(const Patch& product, const PanelOptions& opt
     const Patch part(parts[k].mesh);
     if (options.symmetric_in && !is_symmetric_in(part, *options.symmetric_in))
       of_part.symmetric_in.reset();
-    const PanelSuggestion divided = PanelSearch(part, of_part, of_job).run();
+    const PanelSuggestion divided = with_one_divided(part, of_part, of_job);
     whole = with_part(std::move(whole), k, divided);
   }
   return whole;
@@ -249,8 +277,7 @@ std::string_view to_string(PanelPreference preference) {
 PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options,
                                const Context& context) {
   require(patch, options);
-  if (patch.inspection().topology.components == 1)
-    return PanelSearch(patch, options, context).run();
+  if (patch.inspection().topology.components == 1) return with_one_divided(patch, options, context);
   return with_parts_divided(patch, options, context);
 }
 

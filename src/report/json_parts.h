@@ -40,6 +40,7 @@ void to_json(Json& json, const TwinOf& twin);
 /// "limits_met", "usable" and "missed".
 void to_json(Json& json, const Outcome& outcome);
 void to_json(Json& json, const LayoutReport& layout);
+void to_json(Json& json, const MoreFigures& more);
 void to_json(Json& json, const MeasuredPatch& patch);
 /// A point of a frontier: its run, and the figures of a candidate.
 Json point_of(const Candidate& candidate);

@@ -129,7 +129,8 @@ void to_json(Json& json, const LayoutReport& layout) {
 }
 
 std::string json_report(const ProductReport& report, const std::string& name,
-                        const ProductFiles& files, const std::optional<LayoutReport>& layout) {
+                        const ProductFiles& files, const std::optional<LayoutReport>& layout,
+                        const std::optional<MoreFigures>& cut) {
   Json patches = Json::array(), seams = Json::array();
   for (std::size_t p = 0; p < report.patches.size(); ++p)
     patches.push_back(patch_entry(report.patches[p], files.folders[p], files.files[p]));
@@ -142,7 +143,8 @@ std::string json_report(const ProductReport& report, const std::string& name,
                      {"patches", std::move(patches)},
                      {"seams", std::move(seams)},
                      {"near_borders", near_borders_of(report)},
-                     {"nesting", layout}};
+                     {"nesting", layout},
+                     {"cut", cut}};
   return json_document(json) + '\n';
 }
 

@@ -15,16 +15,9 @@ namespace planish {
 
 namespace {
 
-Json figures_of(const MoreFigures& more) {
-  Json json = Json::object();
-  for (const auto& [name, figure] : more.figures)
-    json[name] = std::visit([](auto value) { return Json(value); }, figure);
-  return json;
-}
-
 std::string document_of(Json json, const std::vector<MoreFigures>& more = {}) {
   for (const MoreFigures& some : more)
-    json[some.key] = figures_of(some);
+    json[some.key] = some;
   return json_document(json) + '\n';
 }
 
@@ -51,6 +44,12 @@ Json options_of(const std::optional<Method>& method) {
 }
 
 }  // namespace
+
+void to_json(Json& json, const MoreFigures& more) {
+  json = Json::object();
+  for (const auto& [name, figure] : more.figures)
+    json[name] = std::visit([](auto value) { return Json(value); }, figure);
+}
 
 void to_json(Json& json, const LevelRecord& level) {
   json = {{"inner_vertices", level.inner_vertices},
@@ -220,7 +219,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
   if (report.rejected) json["rejected_strain"] = *report.rejected;
   if (report.twin_of) json["twin"] = *report.twin_of;
   for (const MoreFigures& some : more)
-    json[some.key] = figures_of(some);
+    json[some.key] = some;
   if (layout) json["nesting"] = *layout;
   return document_of(json);
 }

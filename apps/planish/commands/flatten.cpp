@@ -92,13 +92,14 @@ struct FlattenRequest {
 };
 
 ProductJob product_job(const FlattenRequest& request, ProductInput input,
-                       const Arguments& arguments) {
+                       const std::optional<CutOutcome>& cut, const Arguments& arguments) {
   const std::vector<std::string>& inputs = arguments.operands;
   ProductJob job{.path = inputs.size() > 1 ? utf8_of(request.folder) : inputs.front(),
                  .patches = std::move(input.patches),
                  .places = std::move(input.places),
                  .is_batch = input.is_batch,
                  .seams = std::move(input.seams),
+                 .cut = cut,
                  .folder = request.folder,
                  .options = product_options_from(arguments, request.options),
                  .annotations = {},
@@ -252,7 +253,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   if (is_product || read.patches.front().failure) {
     check_copies_of(read.patches.size(),
                     plan_of(request.pattern, request.options.unit, request.nest.get()));
-    return run_product(product_job(request, std::move(read), arguments), arguments, session);
+    return run_product(product_job(request, std::move(read), cut, arguments), arguments, session);
   }
   refuse_product_flags(arguments, !read.left_out.empty());
   return flatten_one(std::move(request), std::move(read), cut, arguments, session);

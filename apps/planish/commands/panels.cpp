@@ -3,23 +3,18 @@
 #include <map>
 #include <utility>
 
-#include <planish/core/version.h>
 #include <planish/io/mesh_format.h>
 
-#include <planish_json/json.h>
-
 #include "commands/commands.h"
+#include "cut/panels_text.h"
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
-#include "io/read_drawing.h"
 #include "model/model_flags.h"
 #include "platform/path.h"
-#include "report/json_parts.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"
-#include "shell/text.h"
 #include "shell/values.h"
 #include "text/summary.h"
 #include "text/written_text.h"
@@ -38,71 +33,17 @@ std::map<std::string, std::string> panel_paths(const Arguments& arguments) {
   return paths;
 }
 
-/// The seams, in the coordinates of the product's file.
-std::string lines_file(const PanelSuggestion& found, const Arguments& arguments) {
-  const TriMesh in_file = as_in_file(found.mesh, arguments);
-  DrawnLines drawn;
-  for (const std::vector<Index>& seam : found.seams) {
-    DrawnLine& line = drawn.lines.emplace_back();
-    for (const Index v : seam)
-      line.points.push_back(in_file.positions[v]);
-  }
-  return "# Seams for planish --cut\n" + format_obj_lines(drawn);
-}
-
 std::vector<OutputFile> panel_files(const PanelSuggestion& found, const CutInput& cut,
                                     const std::map<std::string, std::string>& paths,
                                     const Arguments& arguments) {
   std::vector<OutputFile> files;
   files.reserve(paths.size());
   for (const auto& [role, path] : paths) {
-    files.push_back({path_of(path), role == "lines"
-                                        ? lines_file(found, arguments)
-                                        : format_mesh(cut.mesh, mesh_format_of(path_of(path)))});
+    files.push_back({path_of(path),
+                     role == "lines" ? panel_lines(as_in_file(found.mesh, arguments), found.seams)
+                                     : format_mesh(cut.mesh, mesh_format_of(path_of(path)))});
   }
   return files;
-}
-
-std::string row_of(std::size_t number, const SuggestedPanel& panel) {
-  std::string row = right(std::to_string(number), 7) + right(percent(panel.area), 10);
-  if (!panel.has_pattern) return row + "  has no pattern\n";
-  return row + right(percent(panel.strain.rms), 10) + right(percent(panel.strain.p99), 12) +
-         right(percent(panel.strain.max), 10) + (panel.overlaps ? "  overlaps itself" : "") + "\n";
-}
-
-std::string panels_text(const PanelSuggestion& found, const Arguments& arguments,
-                        const std::map<std::string, std::string>& paths, const std::string& path) {
-  std::string text = panels_words(found, unit_from(arguments)) +
-                     (found.met ? ": every piece keeps the limit of strain."
-                                : ": not every piece keeps the limit of strain.") +
-                     "\n\n";
-  text += "  piece      area       rms  99 % of it   largest strain\n";
-  for (std::size_t k = 0; k < found.panels.size(); ++k)
-    text += row_of(k + 1, found.panels[k]);
-  const std::string cut = paths.contains("lines") ? paths.at("lines") : "auto";
-  return text + "\nPatterns of these pieces: planish flatten " + path + " --cut " + cut + "\n";
-}
-
-std::string panels_json(const PanelSuggestion& found, double jag, const Arguments& arguments,
-                        const std::map<std::string, std::string>& paths) {
-  Json panels = Json::array();
-  for (const SuggestedPanel& panel : found.panels) {
-    panels.push_back({{"area", panel.area},
-                      {"has_pattern", panel.has_pattern},
-                      {"overlaps", panel.overlaps},
-                      {"strain", panel.strain}});
-  }
-  const Json object = {{"version", k_version},
-                       {"unit", to_string(unit_from(arguments))},
-                       {"met", found.met},
-                       {"pieces", std::move(panels)},
-                       {"seams", found.seams.size()},
-                       {"length", found.length},
-                       {"slits", found.tips},
-                       {"cost", found.cost},
-                       {"jag", jag},
-                       {"files", Json(paths)}};
-  return json_document(object) + "\n";
 }
 
 CommandResult run_panels(const Arguments& arguments, Session& session) {
@@ -116,10 +57,12 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
       about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
   const CutInput cut = cut_into_panels(found);
   const std::vector<OutputFile> files = panel_files(found, cut, paths, arguments);
-  std::string text =
-      path + "  (" + size_text(patch.mesh()) + ")\n\n" + panels_text(found, arguments, paths, path);
+  std::string text = path + "  (" + size_text(patch.mesh()) + ")\n\n" +
+                     panels_text(found, cut.mesh, unit_from(arguments)) +
+                     "\nPatterns of these pieces: planish flatten " + path + " --cut " +
+                     (paths.contains("lines") ? paths.at("lines") : "auto") + "\n";
   if (!files.empty()) text += written_text(files);
-  CommandResult outcome = {std::move(text), panels_json(found, cut.cut->jag, arguments, paths)};
+  CommandResult outcome = {std::move(text), panels_json(found, cut, unit_from(arguments), paths)};
   session.write(files);
   if (!found.met) {
     outcome.exit_code = k_exit_target_missed;

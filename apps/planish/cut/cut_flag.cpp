@@ -373,14 +373,18 @@ CutInput divided_into_panels(const Patch& patch, const std::string& path,
   return cut_into_panels(found);
 }
 
+MoreFigures figures_of(const CutOutcome& cut) {
+  return {"cut",
+          {{"edges", cut.edges},
+           {"length", cut.length},
+           {"farthest_snap", cut.farthest_snap},
+           {"jag", cut.jag},
+           {"small_pieces_joined", cut.small_pieces}}};
+}
+
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {
   if (!cut) return {};
-  return {{"cut",
-           {{"edges", cut->edges},
-            {"length", cut->length},
-            {"farthest_snap", cut->farthest_snap},
-            {"jag", cut->jag},
-            {"small_pieces_joined", cut->small_pieces}}}};
+  return {figures_of(*cut)};
 }
 
 }  // namespace planish::cli

@@ -49,7 +49,9 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
 CutInput divided_into_panels(const Patch& patch, const std::string& path,
                              const Arguments& arguments, Session& session);
 
-/// What --cut did as "cut": {"edges", "length", ...}, for a report; nothing without the flag.
+/// What --cut did as "cut": {"edges", "length", ...}, for a report.
+MoreFigures figures_of(const CutOutcome& cut);
+/// The same; nothing without the flag.
 std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut);
 
 }  // namespace planish::cli

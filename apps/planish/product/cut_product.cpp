@@ -9,6 +9,7 @@
 
 #include <planish/mesh/inspect.h>
 
+#include "cut/panel_places.h"
 #include "cut/panels.h"
 #include "cut/requested_lines.h"
 #include "cut/symmetric_design.h"
@@ -98,10 +99,18 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
   } else {
     cut.mesh = std::move(patch.mesh);
   }
-  if (cut.cut) *all.cut += *cut.cut;
+  if (cut.cut) {
+    if (all.cut)
+      *all.cut += *cut.cut;
+    else
+      all.cut = cut.cut;
+  }
   all.symmetric_in = cut.symmetric_in;
   std::vector<ProductPatch> pieces;
-  for (NamedPatch& piece : split(cut.mesh, patch.name)) {
+  const bool is_automatic =
+      cut.cut && (!reason.empty() || (asks_for_panels(arguments) && !asks_for_lines(arguments)));
+  for (NamedPatch& piece :
+       is_automatic ? pieces_by_place(cut.mesh, patch.name) : split(cut.mesh, patch.name)) {
     pieces.push_back(patch);
     pieces.back().name = std::move(piece.name);
     pieces.back().mesh = std::move(piece.mesh);
@@ -154,7 +163,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
         " goes with one patch only, but for --cut open and auto; the input has several: "
         "take one with --only NAME, or what hangs together as one with --divide parts");
   }
-  CutInput all{{}, CutOutcome{}};
+  CutInput all;
   std::vector<ProductPatch> patches;
   std::vector<MeshFormat> formats;
   if (!are_several) {
@@ -190,7 +199,7 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
     input.whole.piece_of.assign(input.whole.mesh.triangles.size(), 0);
   }
   input.symmetric_in = all.symmetric_in;
-  return is_symmetric && !is_cut ? std::nullopt : all.cut;
+  return all.cut;
 }
 
 }  // namespace planish::cli

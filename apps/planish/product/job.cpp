@@ -192,7 +192,8 @@ class ProductRun {
     ProductFiles files{{}, job_.paths};
     for (const PatchPlace& place : job_.places)
       files.folders.push_back(place.folder);
-    return json_report(report_, stem_of(job_.path), files, layout);
+    return json_report(report_, stem_of(job_.path), files, layout,
+                       job_.cut ? std::optional(figures_of(*job_.cut)) : std::nullopt);
   }
 
   /// Notches are put on seams anew: processed patches may have other numbers of vertices.

@@ -12,6 +12,7 @@
 #include <planish/pattern/pattern_options.h>
 #include <planish/report/json_report.h>
 
+#include "cut/cut_flag.h"
 #include "output/pattern_output.h"
 #include "product/parts.h"
 #include "shell/command.h"
@@ -25,10 +26,11 @@ struct NestRequest;
 struct ProductJob {
   std::string path;  ///< of the input, for people
   std::vector<ProductPatch> patches;
-  std::vector<PatchPlace> places;     ///< of each patch
-  bool is_batch = false;              ///< as ProductInput has it
-  std::vector<NamedSeam> seams = {};  ///< as ProductInput has them
-  std::filesystem::path folder;       ///< each patch's is in it
+  std::vector<PatchPlace> places;      ///< of each patch
+  bool is_batch = false;               ///< as ProductInput has it
+  std::vector<NamedSeam> seams = {};   ///< as ProductInput has them
+  std::optional<CutOutcome> cut = {};  ///< that made the patches; nothing where none was cut
+  std::filesystem::path folder;        ///< each patch's is in it
   ProductOptions options;
   std::vector<PatternOptions> annotations;  ///< of each patch
   std::vector<WrittenFiles> paths;          ///< of each patch, what is written of it

@@ -6,6 +6,7 @@
 
 #include <planish/mesh/repair.h>
 
+#include "cut/panel_places.h"
 #include "mesh/split.h"
 #include "model/model_flags.h"
 #include "model/orient.h"
@@ -122,15 +123,17 @@ AllPieces with_distinct_names(AllPieces all) {
 
 namespace {
 
-/// Adds names of --without that exist only after the cut, as "body-3" of "body". The cut checks
-/// them.
+/// Adds names of --without that exist only after the cut, as "body-3" and "body-zmax" of "body".
+/// The cut checks them.
 void add_names_of_cut(const ModelOptions& options, std::vector<std::string>& names) {
   const std::vector<std::string> whole = names;
   for (const std::string& name : options.without) {
     const std::size_t dash = name.rfind('-');
     const bool is_numbered = dash != std::string::npos && dash + 1 < name.size() &&
                              name.find_first_not_of("0123456789", dash + 1) == std::string::npos;
-    if (is_numbered && is_among(whole, name.substr(0, dash)) && !is_among(whole, name))
+    const bool is_placed = dash != std::string::npos && is_place(name.substr(dash + 1));
+    if ((is_numbered || is_placed) && is_among(whole, name.substr(0, dash)) &&
+        !is_among(whole, name))
       names.push_back(name);
   }
 }

@@ -13,6 +13,7 @@ from ._core import (
     FlattenResult,
     MeasureResult,
     Mesh,
+    PanelsResult,
     ProductResult,
     Sweep,
     Sweeps,
@@ -28,6 +29,7 @@ from ._verbs.product import flatten_product
 from ._verbs.read import read
 from ._verbs.sample import sample
 from ._verbs.suggest_cuts import suggest_cuts
+from ._verbs.suggest_panels import suggest_panels
 from ._verbs.unfold import unfold
 from .errors import Cancelled, Error, FileError, FormatError, MeshError, PatternError, Place, RequestError
 
@@ -49,6 +51,7 @@ __all__ = [
     "MeasureResult",
     "Mesh",
     "MeshError",
+    "PanelsResult",
     "PatternError",
     "Place",
     "ProductResult",
@@ -70,6 +73,7 @@ __all__ = [
     "read",
     "sample",
     "suggest_cuts",
+    "suggest_panels",
     "svg",
     "unfold",
     "write",
@@ -98,7 +102,7 @@ def _pattern_in_page(self: Any) -> str:
 
 
 def _add_methods() -> None:
-    for shown in (Mesh, MeasureResult, EvolveResult, UnfoldResult, FlattenResult, CutResult):
+    for shown in (Mesh, MeasureResult, EvolveResult, UnfoldResult, FlattenResult, CutResult, PanelsResult):
         for method in (_meshes.to_trimesh, _meshes.to_pyvista, _meshes.to_meshio):
             setattr(shown, method.__name__, method)
     for reported in (FlattenResult, CompareResult, ProductResult):

@@ -48,6 +48,7 @@ void register_mesh(py::module_& module);
 void register_measure(py::module_& module);
 void register_evolve(py::module_& module);
 void register_patterns(py::module_& module);
+void register_panels(py::module_& module);
 void register_compare(py::module_& module);
 void register_product(py::module_& module);
 

@@ -48,6 +48,7 @@ PYBIND11_MODULE(_core, module) {
   register_errors();
   register_mesh(module);
   register_measure(module);
+  register_panels(module);
   register_evolve(module);
   register_patterns(module);
   register_compare(module);

@@ -16,7 +16,7 @@ sys.path.insert(0, str(HERE.parent / "tools"))
 import generate  # noqa: E402
 
 OWN = {"mesh", "faces", "name", "progress", "patches", "result", "path", "as_designed"}
-VERBS = ["measure", "flatten", "evolve", "unfold", "compare", "suggest_cuts", "sample"]
+VERBS = ["measure", "flatten", "evolve", "unfold", "compare", "suggest_cuts", "suggest_panels", "sample"]
 
 
 class Keywords(unittest.TestCase):
@@ -27,7 +27,7 @@ class Keywords(unittest.TestCase):
         description = planish.describe()
         globals_ = {generate.keyword_of(flag) for flag in description["every_verb"]}
         for function in VERBS:
-            verb = next(v for v in description["verbs"] if v["name"] == function.replace("_", "-"))
+            verb = next(v for v in description["verbs"] if v["name"] == generate.FUNCTIONS[function][0])
             flags = {generate.keyword_of(flag) for group in verb["groups"] for flag in group["flags"]} | globals_
             left_out = set(generate.LEFT_OUT) | set(generate.LEFT_OUT_OF.get(function, {}))
             keywords = self.keywords_of(function)
@@ -170,6 +170,13 @@ class Values(unittest.TestCase):
         result = planish.unfold(dome, cut=cuts.cuts, max_strain="5%")
         np.testing.assert_array_equal(result.uv, cuts.uv)
         self.assertTrue(result.notes[0].startswith("cut: cut open along"), result.notes)
+
+    def test_seams_of_panels(self):
+        dome = planish.sample("dome", vertices=400)
+        panels = planish.suggest_panels(dome, max_rms_strain="1%", effort=1)
+        self.assertTrue(panels.met)
+        result = planish.unfold(panels, cut=panels.seams, cut_along="edges", max_rms_strain="1%")
+        self.assertAlmostEqual(result.figures["cut"]["length"], panels.figures["length"], 9)
 
     def test_cuts_by_words(self):
         cylinder = planish.sample("cylinder", vertices=400)

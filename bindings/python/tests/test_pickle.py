@@ -42,11 +42,12 @@ class Pickle(unittest.TestCase):
             planish.measure(panel, material="leather"),
             planish.compare(panel, methods="controllable,classical"),
             planish.suggest_cuts(panel, max_strain="3%"),
+            planish.suggest_panels(panel, effort=1),
         ):
             with self.subTest(type(result).__name__):
                 other = copied(result)
                 self.assertEqual(other.figures, result.figures)
-                for name in ("vertices", "faces", "uv", "source"):
+                for name in ("vertices", "faces", "uv", "source", "panel_of"):
                     if getattr(result, name, None) is not None:
                         np.testing.assert_array_equal(getattr(other, name), getattr(result, name))
                 for name, values in getattr(result, "fields", {}).items():

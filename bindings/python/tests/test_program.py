@@ -96,6 +96,10 @@ class Program(unittest.TestCase):
             report = json.loads(self.run_program("suggest-cuts", path, "--json"))
             self.assertEqual(same_but_for_time(planish.suggest_cuts(path).figures), same_but_for_time(report))
 
+            report = json.loads(self.run_program("panels", path, "--json", "--effort", "1"))
+            panels = planish.suggest_panels(path, effort=1)
+            self.assertEqual(panels.figures, report)
+
     def test_real_patches(self):
         patches = some_patches()
         if len(patches) < 10:

@@ -86,6 +86,25 @@ class Results(unittest.TestCase):
         for result in (unfolded, flattened, planish.evolve(plate), planish.suggest_cuts(plate)):
             self.assertEqual([caution["code"] for caution in result.figures["cautions"]], ["hidden_curvature"])
 
+    def test_panels_are_the_product(self):
+        corners = [(x, y, z) for z in (0, 100) for y in (0, 100) for x in (0, 100)]
+        faces = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4)]
+        faces += [(2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
+        result = planish.suggest_panels(np.array(corners, float), np.array(faces), name="box", effort=1)
+        self.assertTrue(result.met)
+        self.assertAlmostEqual(result.figures["length"], 700)
+        np.testing.assert_array_equal(result.vertices[:8], corners)
+        self.assertEqual(len(result.panel_of), len(result.faces))
+        self.assertEqual(result.panel_of.dtype, np.uint32)
+        self.assertEqual(len(set(result.panel_of)), len(result.pieces))
+        self.assertEqual(sum(len(piece.faces) for piece in result.pieces), len(result.faces))
+        self.assertEqual(result.lines_text().count("\nl "), len(result.seams))
+        self.assertEqual(planish.flatten(result.pieces[0]).figures["unfold"]["overlaps"], False)
+        with self.assertRaises(planish.RequestError):
+            planish.suggest_panels(self.panel, effort=0)
+        with self.assertRaises(planish.Cancelled):
+            planish.suggest_panels(self.panel, progress=lambda *_: False)
+
     def test_drawings_that_cannot_be(self):
         with self.assertRaisesRegex(TypeError, "has a pattern to draw"):
             planish.svg(planish.evolve(self.panel))

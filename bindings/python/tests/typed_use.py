@@ -24,6 +24,9 @@ def uses(vertices: npt.NDArray[np.float32], faces: npt.NDArray[np.int64]) -> Non
     product = planish.flatten_product({"front": result, "back": (vertices, faces)})
     print([patch.width for patch in product.patches if patch is not None])
 
+    pieces: list[planish.Mesh] = planish.suggest_panels(vertices, faces, effort=2).pieces
+    print(planish.flatten_product(pieces).missed)
+
     planish.flatten(vertices, faces, method="autoo")  # type: ignore[arg-type]
     planish.flatten(vertices, faces, lambda_maxx=0.9)  # type: ignore[call-arg]
     planish.flatten(vertices, faces, remesh="yes")  # type: ignore[arg-type]

@@ -55,7 +55,7 @@ LEFT_OUT_OF = {
     "read": {"threads": "one is enough"},
     "measure": {"map": "result.fields", "unit": "figures are in model units", **READING},
     "flatten": {"seam_tolerance": "of a product", "no_match_seams": "of a product", **READING},
-    **dict.fromkeys(["unfold", "compare", "suggest_cuts", "evolve"], READING),
+    **dict.fromkeys(["unfold", "compare", "suggest_cuts", "suggest_panels", "evolve"], READING),
     "flatten_product": {
         name: "of one patch"
         for name in "cut cut_along smooth_lines keep_small fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
@@ -133,6 +133,13 @@ FUNCTIONS = {
         RUN.format(verb="suggest_cuts"),
         "Looks for short cuts that let a mesh lie flat.",
     ),
+    "suggest_panels": (
+        "panels",
+        f"{MESH}, {PROGRESS}",
+        "_core.PanelsResult",
+        RUN.format(verb="suggest_panels"),
+        "Divides a whole product, closed or open, into few panels with short seams.",
+    ),
     "read": (
         "convert",
         "path: Path, *",
@@ -175,6 +182,8 @@ PROPERTY_TYPES = {
     "pattern": "dict[str, Any]",
     "cuts": "list[npt.NDArray[np.uint32]]",
     "problems": "list[dict[str, Any]]",
+    "panel_of": "npt.NDArray[np.uint32]",
+    "seams": "list[npt.NDArray[np.uint32]]",
     "runs": "list[ComparedMethod]",
     "patches": "list[Optional[FlattenResult]]",
 }

@@ -65,9 +65,8 @@ struct PanelOptions {
 /// limit (docs/panels.md). The same bits every time, whatever the number of threads.
 /// Several parts are divided one after the other.
 /// @return the best that was found; `met` says whether it keeps the limits
-/// @throws Error option_out_of_range, not_symmetric, what stands in the way of Purpose::measure;
-/// Cancelled before
-///   there is a division
+/// @throws Error option_out_of_range, not_symmetric, what stands in the way of Purpose::measure,
+///   zero_area of a surface without any; Cancelled before there is a division
 PanelSuggestion suggest_panels(const Patch& patch, const PanelOptions& options = {},
                                const Context& context = {});
 

@@ -74,8 +74,10 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
 /// As docs/garments.md has it.
 /// @param name of the product
 /// @param layout as "nesting"; null without
+/// @param cut as "cut", whatever its key: what was cut to make the patches; null without
 std::string json_report(const ProductReport& report, const std::string& name,
-                        const ProductFiles& files, const std::optional<LayoutReport>& layout = {});
+                        const ProductFiles& files, const std::optional<LayoutReport>& layout = {},
+                        const std::optional<MoreFigures>& cut = {});
 /// With the runs in their order.
 std::string json_report(const CompareReport& report);
 /// With the points of the curve and of other methods.

@@ -134,6 +134,23 @@ double open_length(const PanelMesh& mesh, const OpenEdges& open) {
   return sum.value();
 }
 
+std::vector<int> open_edges_at(const PanelMesh& mesh, const OpenEdges& open) {
+  std::vector<int> open_at(mesh.patch().vertex_count(), 0);
+  for (std::size_t e = 0; e < open.size(); ++e) {
+    if (open[e] == 0) continue;
+    for (const Index v : mesh.edges()[e].ends)
+      ++open_at[v];
+  }
+  return open_at;
+}
+
+std::size_t tips_of(const PanelMesh& mesh, std::span<const int> open_at) {
+  std::size_t count = 0;
+  for (Index v = 0; v < open_at.size(); ++v)
+    count += open_at[v] == 1 && !mesh.patch().is_border(v) ? 1 : 0;
+  return count;
+}
+
 std::vector<std::vector<Index>> open_parts(const PanelMesh& mesh, const OpenEdges& open,
                                            std::span<const Index> triangles) {
   std::vector<Index> place(mesh.triangles().size(), PanelEdge::none);

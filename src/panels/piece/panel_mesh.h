@@ -95,6 +95,13 @@ bool is_crease(const PanelMesh& mesh, const PanelEdge& edge);
 /// The sum of the lengths of edges that are open.
 double open_length(const PanelMesh& mesh, const OpenEdges& open);
 
+/// How many open edges begin or end at each vertex.
+std::vector<int> open_edges_at(const PanelMesh& mesh, const OpenEdges& open);
+
+/// Where an open run ends inside.
+/// @param open_at open_edges_at()
+std::size_t tips_of(const PanelMesh& mesh, std::span<const int> open_at);
+
 /// The triangles of each part of a mesh that open edges leave together, parts in the order of their
 /// smallest triangles, triangles increasing.
 std::vector<std::vector<Index>> open_parts(const PanelMesh& mesh, const OpenEdges& open);

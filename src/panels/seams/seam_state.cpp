@@ -10,12 +10,7 @@ SeamState::SeamState(const PanelMesh& mesh, OpenEdges open, ThreadPool& pool)
     : mesh_(&mesh),
       open_(std::move(open)),
       piece_of_(mesh.triangles().size()),
-      open_at_(mesh.patch().vertex_count(), 0) {
-  for (std::size_t e = 0; e < open_.size(); ++e) {
-    if (open_[e] == 0) continue;
-    for (const Index v : mesh.edges()[e].ends)
-      ++open_at_[v];
-  }
+      open_at_(open_edges_at(mesh, open_)) {
   std::vector<std::vector<Index>> parts = open_parts(mesh, open_);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     for (const Index t : parts[p])
@@ -41,10 +36,7 @@ std::size_t SeamState::piece_count() const {
 }
 
 std::size_t SeamState::tips() const {
-  std::size_t count = 0;
-  for (Index v = 0; v < open_at_.size(); ++v)
-    count += open_at_[v] == 1 && !mesh_->patch().is_border(v) ? 1 : 0;
-  return count;
+  return tips_of(*mesh_, open_at_);
 }
 
 double SeamState::cost(const SeamPrices& prices) const {

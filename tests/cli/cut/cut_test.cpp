@@ -177,6 +177,9 @@ TEST_F(Cut, ThroughThePatchMakesAProduct) {
   const auto& seam = json["seams"][0];
   EXPECT_EQ(seam["sides"][0]["vertices"], 9);
   EXPECT_LT(seam["difference"], 1e-9);
+  EXPECT_EQ(json["cut"]["edges"], 8);
+  EXPECT_NEAR(json["cut"]["length"].get<double>(), seam["length_on_model"].get<double>(), 1e-9);
+  EXPECT_EQ(nlohmann::json::parse(content_of("out/garment.json"))["cut"], json["cut"]);
   EXPECT_TRUE(std::filesystem::exists("out/hill-2/pattern.svg"));
 }
 

@@ -1,4 +1,5 @@
 #include <atomic>
+#include <set>
 #include <sstream>
 
 #include <planish/io/read_mesh.h>
@@ -7,8 +8,10 @@
 #include <gmock/gmock.h>
 
 #include "cli/cli_run.h"
+#include "cut/panel_places.h"
 #include "mesh/split.h"
 #include "support/meshes.h"
+#include "support/ringed_disk.h"
 #include "support/solids.h"
 
 namespace planish::cli {
@@ -16,6 +19,25 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+/// A round box, z from -3 to 3.
+TriMesh drum() {
+  constexpr std::size_t rings = 7, around = 24;
+  TriMesh mesh = meshes::ringed_disk(around, rings, [](double r, double) { return 7.0 - r; });
+  for (Vec3& p : mesh.positions) {
+    const double to_wall = std::min(1.0, 4.0 / std::max(1.0, std::hypot(p.x, p.y)));
+    p = {to_wall * p.x, to_wall * p.y, std::min(p.z, 3.0)};
+  }
+  const auto rim = static_cast<Index>(mesh.positions.size() - around);
+  const auto below = [&](Index v) { return v < rim ? static_cast<Index>(rim + around + v) : v; };
+  for (Index v = 0; v < rim; ++v)
+    mesh.positions.push_back({mesh.positions[v].x, mesh.positions[v].y, -mesh.positions[v].z});
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const Triangle top = mesh.triangles[t];
+    mesh.triangles.push_back({below(top[0]), below(top[2]), below(top[1])});
+  }
+  return mesh;
+}
 
 class Panels : public CliTest {
  protected:
@@ -89,6 +111,79 @@ TEST_F(Panels, AreMirrorImagesWhereTheProductIsItsOwn) {
   EXPECT_EQ(flat.exit_code, k_exit_done) << flat.err;
   EXPECT_THAT(flat.err, HasSubstr("pear.obj: symmetric in x=0"));
   EXPECT_THAT(flat.err, Not(HasSubstr("no mirror image was found")));
+}
+
+TEST_F(Panels, AreCalledByTheirPlaces) {
+  write_mesh("drum.obj", drum());
+  const auto flatten = [](const Names& more) {
+    Names args = {"flatten", "drum.obj", "-o",       "out", "--formats",     "svg",   "--unit",
+                  "cm",      "--json",   "--effort", "1",   "--prefer-cuts", "simple"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args);
+  };
+  const auto names = [](const CliResult& result) {
+    std::set<std::string> found;
+    const auto json = result.json();
+    for (const auto& patch : json["patches"])
+      found.insert(patch["name"].get<std::string>());
+    return found;
+  };
+  using Set = std::set<std::string>;
+  const CliResult unasked = flatten({});
+  ASSERT_EQ(unasked.exit_code, k_exit_done) << unasked.err;
+  const Set all = names(unasked);
+  EXPECT_TRUE(all.contains("drum-zmax") && all.contains("drum-zmin"));
+  EXPECT_GT(all.size(), 2U) << "the wall";
+  EXPECT_TRUE(std::filesystem::exists("out/drum-zmax/pattern.svg"));
+  // Along two rims, and twice from one to the other.
+  const auto json = unasked.json();
+  double seams = 0.0;
+  for (const auto& seam : json["seams"])
+    seams += seam["length_on_model"].get<double>();
+  EXPECT_NEAR(10.0 * json["cut"]["length"].get<double>(), seams, 1e-6);
+  Set renamed = all, fewer = all;
+  fewer.erase("drum-zmin");
+  renamed.erase("drum-zmax");
+  renamed.insert("crown");
+  EXPECT_EQ(names(flatten({"--cut", "auto", "--rename", "drum-zmax=crown"})), renamed);
+  EXPECT_EQ(names(flatten({"--cut", "auto", "--without", "drum-zmin"})), fewer);
+  EXPECT_THAT(flatten({"--cut", "auto", "--without", "drum-ymin"}).err, HasSubstr("drum-ymin"));
+
+  const CliResult told =
+      planish({"panels", "drum.obj", "--effort", "1", "--prefer-cuts", "simple", "--json"});
+  Set called;
+  const auto pieces = told.json()["pieces"];
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto& place = pieces[k]["place"];
+    called.insert("drum-" + (place.is_null() ? std::to_string(k + 1) : place.get<std::string>()));
+  }
+  EXPECT_EQ(called, all);
+}
+
+TEST_F(Panels, WithoutAClearPlaceHaveNumbers) {
+  const auto square = [](const Vec3& at, const Vec3& a, const Vec3& b) {
+    return NamedPatch{"", {{at, at + a, at + a + b, at + b}, {{0, 1, 2}, {0, 2, 3}}}, {}};
+  };
+  const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const NamedPatch top = square({0, 0, 1}, x, y), bottom = square({}, y, x),
+                   left = square({}, z, y), right = square(x, y, z);
+  using Places = std::vector<std::string>;
+  const auto places = [](const std::vector<NamedPatch>& pieces) {
+    return places_of_pieces(pieces);
+  };
+  EXPECT_EQ(places({top, left, bottom, right}), (Places{"zmax", "xmin", "zmin", "xmax"}));
+  // Two of one place; a slope; inside out; flat, so that nothing is above the middle.
+  EXPECT_EQ(places({top, square({1, 0, 1}, x, y), bottom}), (Places{"", "", "zmin"}));
+  EXPECT_EQ(places({square({0, 0, 0.5}, x, y + z), bottom}), (Places{"", "zmin"}));
+  EXPECT_EQ(places({square({0, 0, 1}, y, x), bottom}), (Places{"", "zmin"}));
+  EXPECT_EQ(places({square({}, x, y), square(x, x, y)}), (Places{"", ""}));
+  NamedPatch around = top;  // down on the other side
+  around.mesh.positions.insert(around.mesh.positions.end(), bottom.mesh.positions.begin(),
+                               bottom.mesh.positions.end());
+  around.mesh.triangles.insert(around.mesh.triangles.end(), {{4, 5, 6}, {4, 6, 7}});
+  EXPECT_EQ(places({around, right}), (Places{"", "xmax"}));
+  EXPECT_TRUE(is_place("ymin"));
+  EXPECT_FALSE(is_place("min"));
 }
 
 TEST_F(Panels, OfAStoppedSearchAreTheBestSoFar) {

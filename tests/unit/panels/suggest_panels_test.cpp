@@ -54,6 +54,28 @@ TEST(SuggestPanels, DividesAClosedSurfaceWithinTheLimit) {
   EXPECT_EQ(again.mesh.positions, found.mesh.positions);
 }
 
+TEST(SuggestPanels, IsTheSameAtAnySize) {
+  const TriMesh one = meshes::finer(solids::cube(), 2);
+  for (const TriMesh& mesh : {one, meshes::side_by_side(one, solids::cube())}) {
+    const PanelSuggestion found = suggest_panels(Patch(mesh), {.moves = 1});
+    for (const int power : {-600, 600}) {
+      const double size = std::ldexp(1.0, power);
+      std::vector<double> told;
+      PanelOptions options{.moves = 1};
+      options.on_better = [&](const PanelSuggestion& better) { told.push_back(better.length); };
+      const PanelSuggestion other = suggest_panels(Patch(scaled(mesh, size)), options);
+      EXPECT_EQ(other.seams, found.seams);
+      EXPECT_EQ(other.mesh.positions, scaled(found.mesh, size).positions);
+      EXPECT_EQ(other.length, size * found.length);
+      EXPECT_EQ(told, std::vector<double>{other.length});
+      EXPECT_EQ(other.cost, found.cost);
+      EXPECT_EQ(other.met, found.met);
+      ASSERT_EQ(other.panels.size(), found.panels.size());
+      EXPECT_EQ(other.panels[0].area, found.panels[0].area);
+    }
+  }
+}
+
 TEST(SuggestPanels, LeavesWhatLiesFlatWhole) {
   const PanelSuggestion found = suggest_panels(Patch(make_shape("cylinder", 500)), {.moves = 1});
   EXPECT_TRUE(found.met);
@@ -82,6 +104,10 @@ TEST(SuggestPanels, RefusesWhatItCannotDivide) {
   };
   EXPECT_EQ(code_of(solids::cube(), {.limits = {}}), ErrorCode::option_out_of_range);
   EXPECT_EQ(code_of(solids::cube(), {.moves = 0}), ErrorCode::option_out_of_range);
+  TriMesh line = meshes::flat_grid(3, 3);
+  for (Vec3& p : line.positions)
+    p = {p.x + 10.0 * p.y, 0.0, 0.0};
+  EXPECT_EQ(code_of(line, {.moves = 1}), ErrorCode::zero_area);
 }
 
 TEST(SuggestPanels, DividesPartsAndHandles) {

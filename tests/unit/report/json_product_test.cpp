@@ -110,6 +110,16 @@ TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {
   EXPECT_FALSE(nesting().contains("placements"));
 }
 
+TEST(JsonReport, OfAProductSaysWhatWasCut) {
+  const auto cut = [](const std::optional<MoreFigures>& figures) {
+    return Json::parse(
+        json_report(product(), "coat", {{"", "", ""}, {{}, {}, {}}}, {}, figures))["cut"];
+  };
+  EXPECT_EQ(cut({}), Json(nullptr));
+  EXPECT_EQ(cut(MoreFigures{"cut", {{"edges", std::size_t{3}}, {"length", 2.0}}}),
+            Json::parse(R"({"edges": 3, "length": 2.0})"));
+}
+
 TEST(JsonReport, HasFiguresOfAProgramsOwnAtItsEnd) {
   const std::vector<MoreFigures> more = {{"cut", {{"edges", std::size_t{3}}, {"length", 2.0}}}};
   const Json json = Json::parse(json_report(samples::flatten_report().unfold, {}, more));

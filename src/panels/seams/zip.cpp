@@ -47,6 +47,10 @@ void Zip::add_actions_of(const SeamState& state, std::size_t chain, std::size_t 
   if (state.piece_of(sides[0]) == state.piece_of(sides[1])) return;
   const std::size_t begin = place_at(0.5 * (length - step)), end = place_at(0.5 * (length + step));
   if (begin > first && end < last && begin < end) found.push_back({chain, begin, end, 2});
+  // In steps it would leave tips on the way.
+  const bool is_on_plane =
+      state.mesh().is_mirrored() && state.mesh().image_of_edge(edges[first]) == edges[first];
+  if (prices_.tip > 0.0 || is_on_plane) found.push_back({chain, first, last, 3});
 }
 
 std::vector<Zip::Action> Zip::actions(const SeamState& state, const OpenEdges& held,

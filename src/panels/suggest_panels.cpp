@@ -86,13 +86,15 @@ PanelSuggestion suggestion_of(const FinishedDivision& division) {
 class PanelSearch {
  public:
   PanelSearch(const Patch& product, const PanelOptions& options, const Context& context)
-      : product_(product),
+      : product_(options.symmetric_in ? with_plane_as_edges(product, *options.symmetric_in)
+                                      : product),
         options_(options),
         context_(context),
         pool_(context),
         prices_(prices_of(options.prefer)),
         rms_(rms_within(options.limits)),
-        half_(options.symmetric_in ? halved_product(product, *options.symmetric_in) : std::nullopt),
+        half_(options.symmetric_in ? halved_product(product_, *options.symmetric_in)
+                                   : std::nullopt),
         thin_(thinned()) {}
 
   PanelSuggestion run() {
@@ -149,7 +151,7 @@ class PanelSearch {
     return finished(product_, division, options_.limits, prices_, alone);
   }
 
-  const Patch& product_;
+  Patch product_;  // that which is divided
   const PanelOptions& options_;
   const Context& context_;
   ThreadPool pool_;

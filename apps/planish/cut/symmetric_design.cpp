@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <planish/mesh/carry.h>
+#include <planish/mesh/inspect.h>
 #include <planish/mesh/surface_line.h>
 
 #include "cut/placed_lines.h"
@@ -141,6 +142,25 @@ Symmetry requested_symmetry(const Patch& patch, const Arguments& arguments) {
   return symmetry_in(patch, plane);
 }
 
+void SymmetricDesign::keep_sound(std::span<const TriMesh> pieces,
+                                 std::vector<TriMesh>& symmetric) const {
+  const auto is_sound = [](const TriMesh& mesh) {
+    return !blocking_problem(inspect(mesh), Purpose::unfold);
+  };
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (are_equal(pieces[p], symmetric[p]) || is_sound(symmetric[p]) || !is_sound(pieces[p]))
+      continue;
+    symmetric[p] = pieces[p];
+    ++kept;
+  }
+  if (kept > 0) {
+    session_.note(path_ + ": " + counted(kept, "piece") +
+                  " with slits along the plane cannot be mirrored exactly; left and right differ "
+                  "there as much as the surface and its triangles do");
+  }
+}
+
 SymmetricDesign::SymmetricDesign(const TriMesh& mesh, const std::string& path,
                                  const Arguments& arguments, Session& session)
     : mesh_(mesh), path_(path), arguments_(arguments), session_(session) {
@@ -196,7 +216,8 @@ TriMesh SymmetricDesign::with_symmetric_pieces(const TriMesh& cut) const {
       mirror_pieces(pieces, plane_, side_, symmetry_tolerance(mesh_));
   const std::string text = pieces_text(found, mesh_, ShownLengths(unit_from(arguments_)));
   if (!text.empty()) session_.note(path_ + ": " + text);
-  const std::vector<TriMesh> symmetric = symmetric_pieces(pieces, found, plane_, side_);
+  std::vector<TriMesh> symmetric = symmetric_pieces(pieces, found, plane_, side_);
+  keep_sound(pieces, symmetric);
   const bool is_as_it_was =
       std::equal(pieces.begin(), pieces.end(), symmetric.begin(), symmetric.end(), are_equal);
   return is_as_it_was ? cut : together(symmetric);

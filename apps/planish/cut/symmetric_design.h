@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ class SymmetricDesign {
   TriMesh with_symmetric_pieces(const TriMesh& cut) const;
 
  private:
+  /// Takes pieces as they were that their mirrored form would leave without a pattern.
+  void keep_sound(std::span<const TriMesh> pieces, std::vector<TriMesh>& symmetric) const;
   /// In the coordinates of the file, in which lines are.
   Plane plane_in_file() const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <planish/mesh/imprint.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/symmetry.h>
 
@@ -58,6 +59,12 @@ TriMesh without_chords(TriMesh half, const Plane& plane) {
       divide_edge(half, v, w);
   }
   return half;
+}
+
+Patch with_plane_as_edges(const Patch& product, const Plane& plane) {
+  constexpr double k_on_plane = 1e-6;  // of the diagonal, as symmetric_mesh() has it
+  const double snap = k_on_plane * bounding_box_diagonal(product.mesh());
+  return Patch(imprint(product, plane_section(product, plane, snap)).mesh);
 }
 
 std::optional<Patch> halved_product(const Patch& product, const Plane& plane) {

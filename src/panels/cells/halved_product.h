@@ -14,6 +14,9 @@ TriMesh half_of(const TriMesh& whole);
 /// else its mirror image would have the same edge.
 TriMesh without_chords(TriMesh half, const Plane& plane);
 
+/// A product with the plane as edges, where it crosses it: seams along them lie in the plane.
+Patch with_plane_as_edges(const Patch& product, const Plane& plane);
+
 /// The half of a product on the greater side of a plane in which it is symmetric. Nothing where it
 /// is in several parts.
 /// @throws Error not_symmetric, as require_symmetric()

@@ -70,7 +70,9 @@ TEST_F(CutLines, CrossTrianglesWithoutHeight) {
     ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
     EXPECT_THAT(result.err, HasSubstr(", 500.0 mm"));
     EXPECT_EQ(result.err.find("nearly without area") != std::string::npos, depth < 1e-4);
-    for (const auto& patch : result.json()["patches"])
+    const auto json = result.json();
+    ASSERT_EQ(json["patches"].size(), 2U);
+    for (const auto& patch : json["patches"])
       EXPECT_LT(patch["unfold"]["strain"]["rms"].get<double>(), 1e-3) << depth;
   }
 }

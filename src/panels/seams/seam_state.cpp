@@ -147,6 +147,9 @@ void SeamState::replace(const SeamRun& run, std::vector<PanelPiece> pieces) {
   if (!run.is_twice) return put(run.pieces, std::move(pieces));
   std::vector<Index> edges, beside;
   std::vector<PanelPiece> images;
+  edges.reserve(run.edges.size());
+  beside.reserve(run.pieces.size());
+  images.reserve(pieces.size());
   for (const Index e : run.edges)
     edges.push_back(mesh_->image_of_edge(e));
   for (const Index p : run.pieces)

@@ -173,7 +173,7 @@ class Values(unittest.TestCase):
 
     def test_seams_of_panels(self):
         dome = planish.sample("dome", vertices=400)
-        panels = planish.suggest_panels(dome, max_rms_strain="1%", effort=1)
+        panels = planish.suggest_panels(dome, max_rms_strain="1%", effort=1, symmetric="no")
         self.assertTrue(panels.met)
         result = planish.unfold(panels, cut=panels.seams, cut_along="edges", max_rms_strain="1%")
         self.assertAlmostEqual(result.figures["cut"]["length"], panels.figures["length"], 9)

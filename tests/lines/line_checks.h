@@ -183,7 +183,8 @@ inline std::string wrong_surface(const Patch& patch, const ImprintedMesh& imprin
       imprinted.triangle_of.size() != now.triangles.size())
     return "counts do not agree";
   const Inspection &before = patch.inspection(), &after = result.inspection();
-  if (blocking_problem(after, Purpose::measure)) return "the mesh is no manifold any more";
+  if (const auto problem = blocking_problem(after, Purpose::measure))
+    return "the mesh is not sound any more: " + problem->message;
   if (after.topology.border_loops != before.topology.border_loops ||
       after.topology.components != before.topology.components ||
       after.topology.euler_characteristic != before.topology.euler_characteristic)

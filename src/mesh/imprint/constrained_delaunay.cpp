@@ -49,8 +49,15 @@ Vec2 ConstrainedDelaunay::grid_at(Vec2 place) const {
 
 double ConstrainedDelaunay::distance_to_corner(Vec2 place) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Index corner : parts_[locate(grid_at(place))].corners)
-    nearest = std::min(nearest, norm(places_[corner] - place));
+  const auto look_at = [&](const Part& part) {
+    for (const Index corner : part.corners)
+      nearest = std::min(nearest, norm(places_[corner] - place));
+  };
+  const Part& here = parts_[locate(grid_at(place))];
+  look_at(here);
+  for (const Index other : here.across) {  // one may be just beyond a side
+    if (other != k_none) look_at(parts_[other]);
+  }
   return nearest;
 }
 

@@ -58,7 +58,7 @@ class ConstrainedDelaunay {
   bool is_fixed(Index part, std::size_t slot) const;
   /// The inverse of place(), rounded to the grid.
   Vec2 grid_at(Vec2 place) const;
-  /// How far the nearest corner of the part that holds a place is from it.
+  /// How far the nearest corner of the part that holds a place, and of those beside it, is from it.
   double distance_to_corner(Vec2 place) const;
   /// How far the farthest segment was led to a node beside it.
   double farthest() const { return farthest_; }

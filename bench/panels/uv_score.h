@@ -8,7 +8,7 @@
 
 namespace planish {
 
-/// What tells how well a surface was cut and laid flat, by any program.
+/// Measures of a texture map, of any program: of its cuts and its distortion.
 struct UvScore {
   std::size_t pieces = 0;       ///< parts that hang together in the plane
   std::size_t tips = 0;         ///< ends of slits inside a piece

@@ -116,7 +116,8 @@ void check_cancelled(const Patch& patch, const PanelOptions& options, std::size_
     const PanelSuggestion found = suggest_panels(
         patch, options, {.threads = 1, .is_cancelled = [&] { return ++asked > questions; }});
     check_panels(patch.mesh(), found, options);
-    fuzz::check(found.was_cancelled || asked <= questions, "who was stopped says so");
+    fuzz::check(found.was_cancelled || asked <= questions,
+                "a search that was cancelled is marked as cancelled");
   } catch (const Cancelled&) {
   }
 }

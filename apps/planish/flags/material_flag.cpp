@@ -12,7 +12,7 @@ Flag material_flag() {
   return {"--material",
           "NAME",
           "instead of --max-strain: what this material takes, " + list_of(material_names()) +
-              ", or that of a .json file of your own; planish materials tells how much that is",
+              " or a .json file of your own; planish materials lists the limits",
           0,
           false,
           {.choices = material_names(), .extensions = {"json"}}};

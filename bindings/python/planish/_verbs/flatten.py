@@ -181,8 +181,7 @@ def flatten(
         max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
             as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
-            that is
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,

@@ -33,8 +33,7 @@ def suggest_cuts(
             (default 1)
         max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
-            that is
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
         max_cuts: at most so many darts (0 to 50, default 6)
         threads: use at most N threads; never changes the result (default: all usable cores)
     """

@@ -37,8 +37,7 @@ def suggest_panels(
         max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
             on 99 % of the area
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
-            that is
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few

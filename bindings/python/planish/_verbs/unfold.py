@@ -101,8 +101,7 @@ def unfold(
         max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
             on 99 % of the area
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
-            that is
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)

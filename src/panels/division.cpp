@@ -76,12 +76,11 @@ CellMesh lined_cells(const PanelMesh& mesh, std::span<const Index> cells, double
 
 /// All borders of cells as seams, and the plane.
 SeamNet net_of(CellMesh lined, const std::optional<Plane>& plane) {
+  OpenEdges seams = open_between(lined.mesh, lined.cells);
   if (plane) {
-    OpenEdges seams = open_between(lined.mesh, lined.cells);
     SeamNet half{std::move(lined.mesh), seams, {}};
     return unfolded_seams({{std::move(half), std::move(seams)}, {}}, *plane).net;
   }
-  OpenEdges seams = open_between(lined.mesh, lined.cells);
   std::vector<SeamChain> chains = seam_chains(lined.mesh, seams);
   return {std::move(lined.mesh), std::move(seams), std::move(chains)};
 }

@@ -19,6 +19,9 @@ struct SymmetricWhole {
   std::size_t half_size = 0;
 };
 
+/// Of the diagonal: vertices that are nearer to a plane of symmetry count as on it.
+inline constexpr double k_on_plane = 1e-6;
+
 /// How far a fold may be off its plane, as a share of its length.
 inline constexpr double k_most_off_plane = 1e-3;
 

@@ -16,9 +16,6 @@ namespace planish {
 
 namespace {
 
-/// Of the diagonal: vertices that are nearer to a plane count as on it.
-constexpr double k_on_plane = 1e-6;
-
 using EdgeEnds = std::array<Index, 2>;
 
 EdgeEnds edge_of(const Triangle& t, std::size_t k) {

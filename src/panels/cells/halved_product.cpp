@@ -9,6 +9,7 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/symmetry.h>
 
+#include "mesh/match/symmetric_whole.h"
 #include "panels/piece/panel_mesh.h"
 
 namespace planish {
@@ -62,7 +63,6 @@ TriMesh without_chords(TriMesh half, const Plane& plane) {
 }
 
 Patch with_plane_as_edges(const Patch& product, const Plane& plane) {
-  constexpr double k_on_plane = 1e-6;  // of the diagonal, as symmetric_mesh() has it
   const double snap = k_on_plane * bounding_box_diagonal(product.mesh());
   return Patch(imprint(product, plane_section(product, plane, snap)).mesh);
 }

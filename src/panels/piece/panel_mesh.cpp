@@ -92,7 +92,6 @@ void PanelMesh::pair_sides() {
 }
 
 std::vector<bool> fold_vertices(const Patch& half, const Plane& plane) {
-  constexpr double k_on_plane = 1e-6;  // of the diagonal
   const double most = k_on_plane * bounding_box_diagonal(half.mesh());
   const auto is_near = [&](Index v) {
     return std::abs(height_over(plane, half.positions()[v])) <= most;

@@ -114,8 +114,7 @@ bool Zip::is_hopeless(const SeamState& state, const Action& action, double step)
   return piece.energy + k_as_before * last->second > limit_ * limit_ * piece.area;
 }
 
-bool Zip::close_best(SeamState& state, const OpenEdges& held, double step,
-                     std::vector<std::vector<Index>>& steps) {
+bool Zip::close_best(SeamState& state, const OpenEdges& held, double step) {
   const std::vector<Action> all = actions(state, held, step);
   std::vector<std::pair<double, std::size_t>> order;  // the last ratio; the action
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -147,19 +146,16 @@ bool Zip::close_best(SeamState& state, const OpenEdges& held, double step,
     };
     return is_gone(std::get<3>(entry.first)) || is_gone(std::get<4>(entry.first));
   });
-  steps.push_back(run.edges);
   state.close(run, std::move(piece));
   return true;
 }
 
-std::vector<std::vector<Index>> Zip::run(SeamState& state, const OpenEdges& held) {
-  std::vector<std::vector<Index>> steps;
+void Zip::run(SeamState& state, const OpenEdges& held) {
   for (const double step : {0.15, 0.05, state.mesh().mean_edge()}) {
     known_.clear();
-    while (close_best(state, held, step, steps)) {
+    while (close_best(state, held, step)) {
     }
   }
-  return steps;
 }
 
 }  // namespace planish

@@ -25,8 +25,7 @@ class Zip {
 
   /// One step after the other, until nothing can be closed.
   /// @param held by edge: 1 for those that stay open
-  /// @return the edges that were closed, step by step
-  std::vector<std::vector<Index>> run(SeamState& state, const OpenEdges& held);
+  void run(SeamState& state, const OpenEdges& held);
 
  private:
   /// Edges of a chain that might be closed together.
@@ -47,8 +46,7 @@ class Zip {
   std::vector<Index> edges_of(const Action& action) const;
   Key key_of(const SeamState& state, const Action& action) const;
   Outcome try_out(const SeamState& state, const Action& action) const;
-  bool close_best(SeamState& state, const OpenEdges& held, double step,
-                  std::vector<std::vector<Index>>& steps);
+  bool close_best(SeamState& state, const OpenEdges& held, double step);
 
   const std::vector<SeamChain>& chains_;
   double limit_;

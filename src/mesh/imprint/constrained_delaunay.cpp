@@ -13,6 +13,7 @@ namespace {
 constexpr Index k_none = std::numeric_limits<Index>::max();  // beyond a side of the triangle
 constexpr int k_deepest = 200;  // of segments in segments: rounding alone could go on
 constexpr int k_exact = 20;     // from here on only nodes that are on a segment count as on it
+constexpr double k_most = 2.0;  // of reach: how far a segment may be led aside, all steps together
 
 }  // namespace
 
@@ -192,9 +193,9 @@ void ConstrainedDelaunay::divide_side(Side side, Index node) {
     open.push_back(key(a, d));
     open.push_back(key(d, b));
   }
-  if (segments_.erase(key(a, b)) != 0) {
+  if (const auto segment = segments_.extract(key(a, b))) {
     divided_at_[key(a, b)] = node;
-    segments_[key(a, node)] = segments_[key(node, b)] = true;
+    segments_[key(a, node)] = segments_[key(node, b)] = segment.mapped();
   }
   settle(std::move(open));
 }
@@ -253,7 +254,11 @@ void ConstrainedDelaunay::settle(std::vector<Key> open) {
 }
 
 void ConstrainedDelaunay::connect(Index a, Index b) {
-  connect(a, b, 0);
+  connect(a, b, {});
+}
+
+double ConstrainedDelaunay::reach_of(const Led& led) const {
+  return led.depth < k_exact ? std::clamp(k_most * reach_ - led.aside, 0.0, reach_) : 0.0;
 }
 
 /// The part at a that the segment leaves through the side across from it; a node beside the segment
@@ -278,28 +283,35 @@ ConstrainedDelaunay::Leaving ConstrainedDelaunay::leaving(Index a, Index b, doub
   return {};
 }
 
-/// Leads a segment to a node beside it, and on from there.
-void ConstrainedDelaunay::connect_over(Index node, Index a, Index b, int depth) {
-  farthest_ = std::max(farthest_, distance_to(a, b, places_[node]));
-  divided_at_[key(a, b)] = node;
-  connect(a, node, depth + 1);
-  connect(node, b, depth + 1);
+/// Makes an edge a segment, or part of another one.
+void ConstrainedDelaunay::keep(Index a, Index b, double aside) {
+  double& kept = segments_[key(a, b)];
+  kept = std::max(kept, aside);
 }
 
-void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
-  if (a == b || depth > k_deepest) return;
-  if (edge(a, b)) {
-    segments_[key(a, b)] = true;
-    return;
-  }
-  const double reach = depth < k_exact ? reach_ : 0.0;
+/// Leads a segment to a node beside it, and on from there.
+void ConstrainedDelaunay::connect_over(Index node, Index a, Index b, const Led& led) {
+  lead_over(node, a, b, {led.aside + distance_to(a, b, places_[node]), led.depth + 1});
+}
+
+void ConstrainedDelaunay::lead_over(Index node, Index a, Index b, const Led& led) {
+  farthest_ = std::max(farthest_, led.aside);
+  divided_at_[key(a, b)] = node;
+  connect(a, node, led);
+  connect(node, b, led);
+}
+
+void ConstrainedDelaunay::connect(Index a, Index b, const Led& led) {
+  if (a == b || led.depth > k_deepest) return;
+  if (edge(a, b)) return keep(a, b, led.aside);
+  const double reach = reach_of(led);
   auto [way, node] = leaving(a, b, reach);
-  if (node) return connect_over(*node, a, b, depth);
+  if (node) return connect_over(*node, a, b, led);
   std::vector<Key> crossed;
   while (way) {
     const Part& part = parts_[way->part];
     const Index p = part.corners[way->slot], q = part.corners[(way->slot + 1) % 3];
-    if (is_segment(p, q)) return cross(key(p, q), a, b, depth);
+    if (is_segment(p, q)) return cross(key(p, q), a, b, led);
     crossed.push_back(key(p, q));
     const Index next = part.across[way->slot];
     if (next == k_none) return;                 // b is outside
@@ -307,11 +319,12 @@ void ConstrainedDelaunay::connect(Index a, Index b, int depth) {
     const Index tip = parts_[next].corners[(slot + 2) % 3];
     if (tip == b) break;
     const int of_tip = side_of_segment(a, b, tip, reach);
-    if (of_tip == 0) return connect_over(tip, a, b, depth);
+    if (of_tip == 0) return connect_over(tip, a, b, led);
     // p is to the right, q to the left: on through the side that has its ends on both sides.
     way = Side{next, of_tip < 0 ? (slot + 2) % 3 : (slot + 1) % 3};
   }
   flip_across(a, b, std::move(crossed));
+  keep(a, b, led.aside);
 }
 
 /// Sloan 1993: edges that the segment crosses are flipped until none does.
@@ -335,7 +348,7 @@ void ConstrainedDelaunay::flip_across(Index a, Index b, std::vector<Key> crossed
         c != a && c != b && d != a && d != b && side(a, b, c) * side(a, b, d) < 0;
     (is_across ? crossed : made).push_back(key(c, d));
   }
-  segments_[key(a, b)] = true;
+  segments_[key(a, b)] = 0.0;
   settle(std::move(made));
 }
 
@@ -349,12 +362,13 @@ Vec2 ConstrainedDelaunay::crossing(Key segment, Index a, Index b) const {
 }
 
 /// Connects a and b over a segment that lies between them.
-void ConstrainedDelaunay::cross(Key segment, Index a, Index b, int depth) {
+void ConstrainedDelaunay::cross(Key segment, Index a, Index b, const Led& led) {
   const Index c = segment[0], d = segment[1];
+  const double aside = segments_.at(segment);  // of the other one
   const Vec2 grid = crossing(segment, a, b);
   const bool is_inside = grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells;
   const Vec2 place = (grid.x / k_cells) * right_ + (grid.y / k_cells) * up_;
-  const double reach = depth < k_exact ? reach_ : 0.0;
+  const double reach = reach_of({std::max(led.aside, aside), led.depth});
   std::vector<Index> known = {a, b, c, d};
   if (is_inside && reach > 0.0) {
     for (const Index corner : parts_[locate(grid)].corners)
@@ -364,19 +378,14 @@ void ConstrainedDelaunay::cross(Key segment, Index a, Index b, int depth) {
   const Index nearest = *std::min_element(known.begin(), known.end(),
                                           [&](Index p, Index q) { return apart(p) < apart(q); });
   const bool is_known = !is_inside || apart(nearest) <= reach;
-  if (is_known) farthest_ = std::max(farthest_, apart(nearest));
   const Index node = is_known ? nearest : add(grid);
-  if (node != c && node != d && segments_.erase(segment) != 0) {
-    divided_at_[segment] = node;
-    connect(c, node, depth + 1);
-    connect(node, d, depth + 1);
-  }
+  const double moved = is_known ? apart(nearest) : 0.0;
+  if (node != c && node != d && segments_.erase(segment) != 0)
+    lead_over(node, c, d, {aside + moved, led.depth + 1});
   if (node != a && node != b) {
-    divided_at_[key(a, b)] = node;
-    connect(a, node, depth + 1);
-    connect(node, b, depth + 1);
+    lead_over(node, a, b, {led.aside + moved, led.depth + 1});
   } else {
-    connect(a, b, depth + 1);
+    connect(a, b, {led.aside, led.depth + 1});
   }
 }
 
@@ -384,11 +393,11 @@ void ConstrainedDelaunay::divide(Index a, Index b, double share) {
   const Vec2 exact = grid_[a] + share * (grid_[b] - grid_[a]);
   const Vec2 grid = {std::nearbyint(exact.x), std::nearbyint(exact.y)};
   if (!(grid.x > 0.0 && grid.y > 0.0 && grid.x + grid.y < k_cells)) return;
-  segments_.erase(key(a, b));
+  const Led led{segments_.extract(key(a, b)).mapped()};
   const Index node = add(grid);
   if (node != a && node != b) divided_at_[key(a, b)] = node;
-  connect(a, node);
-  connect(node, b);
+  connect(a, node, led);
+  connect(node, b, led);
 }
 
 std::vector<Index> ConstrainedDelaunay::path(Index a, Index b) const {

@@ -19,8 +19,9 @@ inline constexpr double k_cells = 1125899906842624.0;  // 2^50
 class ConstrainedDelaunay {
  public:
   /// @param sides lengths of the triangle's sides from corner to next corner
-  /// @param reach a node that is nearer to a segment than this is on it; at most 1/100 of the
-  ///   height of the triangle counts
+  /// @param reach a node that is nearer to a segment than this is on it, as long as all nodes
+  ///   together lead no segment more than twice this aside; at most 1/100 of the height of the
+  ///   triangle counts
   explicit ConstrainedDelaunay(const std::array<double, 3>& sides, double reach = 0.0);
 
   /// The node at a place, which is new where there was none. A segment through it is divided.
@@ -92,10 +93,19 @@ class ConstrainedDelaunay {
     std::optional<Index> node = {};
   };
   Leaving leaving(Index a, Index b, double reach) const;
-  void connect(Index a, Index b, int depth);
-  void connect_over(Index node, Index a, Index b, int depth);
+  /// A part of a segment: how far nodes beside it have led it aside, at most, and in how many
+  /// steps.
+  struct Led {
+    double aside = 0.0;
+    int depth = 0;
+  };
+  double reach_of(const Led& led) const;
+  void keep(Index a, Index b, double aside);
+  void connect(Index a, Index b, const Led& led);
+  void connect_over(Index node, Index a, Index b, const Led& led);
+  void lead_over(Index node, Index a, Index b, const Led& led);
   void flip_across(Index a, Index b, std::vector<Key> crossed);
-  void cross(Key segment, Index a, Index b, int depth);
+  void cross(Key segment, Index a, Index b, const Led& led);
   Vec2 crossing(Key segment, Index a, Index b) const;
 
   double reach_, farthest_ = 0.0;
@@ -103,7 +113,7 @@ class ConstrainedDelaunay {
   std::vector<Vec2> grid_, places_;
   std::vector<Part> parts_;
   std::vector<Index> part_of_;       // a part at each node
-  std::map<Key, bool> segments_;     // edges that are kept
+  std::map<Key, double> segments_;   // edges that are kept: how far they were led aside
   std::map<Key, Index> divided_at_;  // segments that are edges no more: a node on each
 };
 

@@ -331,5 +331,29 @@ TEST(Imprint, KeepsLinesThatTurnBack) {
   expect_sound(imprint(patch, lines), patch, lines);
 }
 
+TEST(Imprint, PointsBesideALineTogetherLeadItNoFartherThanIsSaid) {
+  const TriMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const Patch patch(mesh);
+  const auto at = [&](double x, double y) {
+    return SurfacePoint{mesh.triangles[0], {1.0 - x - y, x, y}};
+  };
+  // Each is near to the straight way on from the one before, and farther from the line.
+  constexpr double step = 6e-6;
+  std::vector<SurfaceLine> lines = {{at(0.1, 0.2), at(0.7, 0.2)}};
+  double aside = 0.0;
+  for (int k = 1; k < 20; ++k) {
+    aside = aside * (20 - k) / (21 - k) + step;
+    lines.push_back({at(0.1 + 0.03 * k, 0.2 + aside)});
+  }
+  const ImprintedMesh imprinted = imprint(patch, lines);
+  expect_sound(imprinted, patch, lines);
+  double farthest = 0.0;
+  for (const Index v : imprinted.paths[0])
+    farthest = std::max(farthest, std::abs(imprinted.mesh.positions[v].y - 0.2));
+  EXPECT_GT(farthest, step);
+  EXPECT_LE(farthest, 1.01 * imprinted.farthest_snap);
+  EXPECT_LE(farthest, 1e-5 * bounding_box_diagonal(mesh));
+}
+
 }  // namespace
 }  // namespace planish

@@ -63,6 +63,7 @@ UnfoldOptions as_asked(const Work& work) {
   how.match_seams = options.match_seams;
   how.match_if_possible = options.match_if_possible;
   how.free_edges = work.design.free_edges;
+  how.seam_lengths = options.seam_lengths;
   how.limits = work.task.limits;
   // Where a method was asked for, its surface is led to the limit, not its pattern.
   if (options.method) how.limits.rms = 0.0;

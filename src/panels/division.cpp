@@ -100,7 +100,9 @@ DivisionWay way_of_move(std::size_t move) {
   constexpr std::array<double, 5> limits = {0.3, 0.45, 0.6, 0.25, 0.8};
   constexpr std::array<double, 3> spreads = {1.5, 2.5, 2.0};
   constexpr std::array<double, 3> planes = {1.0, 10.0, 0.1};
-  return {cells[move % 4], limits[move % 5], spreads[move % 3], move, planes[move % 3]};
+  constexpr std::array<double, 4> aims = {0.8, 0.85, 1.0, 0.92};
+  return {cells[move % 4],  limits[move % 5], spreads[move % 3], move,
+          planes[move % 3], aims[move % 4]};
 }
 
 Division divided(const PanelMesh& mesh, const std::optional<Plane>& plane, double limit,

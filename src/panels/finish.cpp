@@ -1,6 +1,7 @@
 #include "panels/finish.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "panels/carried_seams.h"
@@ -8,6 +9,7 @@
 #include "panels/folded_seams.h"
 #include "panels/piece/laid_flat.h"
 #include "panels/seams/unzip.h"
+#include "unfold/common_length.h"
 
 namespace planish {
 
@@ -18,7 +20,7 @@ constexpr double k_least_part = 0.002;  // of the area, where nothing else mends
 constexpr double k_step = 0.02;         // of the root of the area, by which runs are opened
 constexpr double k_below = 0.995;       // of the limit that is aimed at
 constexpr double k_as_they_are = 0.01;  // mean edges that seams on a product move at most
-constexpr int k_rounds = 12;
+constexpr int k_rounds = 20;
 constexpr int k_divisions = 8;  // in two of what nothing else mends
 
 /// The largest figure of a pattern as a share of its limit.
@@ -31,73 +33,138 @@ double excess(const EdgeStrain& strain, const StrainLimits& limits) {
 
 class Finishing {
  public:
-  Finishing(std::shared_ptr<const SeamNet> net, OpenEdges open, const StrainLimits& limits,
-            const SeamPrices& prices, ThreadPool& pool)
+  Finishing(std::shared_ptr<const SeamNet> net, OpenEdges open, const FinishOptions& options,
+            ThreadPool& pool)
       : net_(std::move(net)),
         state_(net_->mesh, std::move(open), pool),
-        limits_(limits),
-        prices_(prices),
+        options_(options),
         pool_(pool) {}
 
   FinishedDivision run() {
     lay_flat();
-    for (int round = 0; round < k_rounds && open_more(); ++round)
-      lay_flat();
-    FinishedDivision result{net_, state_.open(), {}, true, state_.cost(prices_), state_.tips()};
-    for (std::size_t p = 0; p < flat_.size(); ++p) {
+    for (int round = 0; round < k_rounds; ++round) {
+      if (open_more())
+        lay_flat();
+      else if (!options_.match_seams || !match_seams())
+        break;
+    }
+    const SeamPrices& prices = options_.prices;
+    FinishedDivision result{net_, state_.open(), {}, true, state_.cost(prices), state_.tips()};
+    for (std::size_t p = 0; p < laid_.size(); ++p) {
       if (state_.pieces()[p].triangles.empty()) continue;
-      result.is_valid = result.is_valid && flat_[p].keeps(limits_);
-      result.pieces.push_back(std::move(flat_[p]));
+      result.is_valid = result.is_valid && keeps(laid_[p]);
+      result.pieces.push_back(std::move(laid_[p].flat));
     }
     return result;
   }
 
  private:
-  /// Pieces that are new.
-  void lay_flat() {
-    const std::size_t first = flat_.size(), count = state_.pieces().size() - first;
-    flat_.resize(state_.pieces().size());
-    const auto is_image = [&](std::size_t p) {
-      return !state_.pieces()[p].triangles.empty() && state_.is_image(p);
-    };
-    pool_.for_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = first + begin; i < first + end; ++i) {
-        if (!is_image(i)) flat_[i] = laid(state_.pieces()[i]);
+  /// A piece and its pattern.
+  struct Laid {
+    FlatPiece flat;
+    std::vector<SeamSide> sides = {};    ///< as they are if seams need not match
+    std::vector<EdgeLength> seams = {};  ///< that the pattern was given
+  };
+
+  bool keeps(const Laid& piece) const { return piece.flat.keeps(options_.limits.strain); }
+
+  bool is_image(std::size_t p) const {
+    return !state_.pieces()[p].triangles.empty() && state_.is_image(p);
+  }
+
+  /// Does it for pieces of which none is the image of another; images get what those have.
+  template <class Work>
+  void for_pieces(std::size_t first, Work work) {
+    pool_.for_ranges(laid_.size() - first, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = first + begin; p < first + end; ++p) {
+        if (!is_image(p)) work(p);
       }
     });
-    for (std::size_t p = first; p < flat_.size(); ++p) {
+    for (std::size_t p = first; p < laid_.size(); ++p) {
       if (!is_image(p)) continue;
       const std::vector<Index>& triangles = state_.pieces()[p].triangles;
-      flat_[p] = flat_[state_.piece_of(net_->mesh.image_of_triangle(triangles.front()))];
-      flat_[p].triangles = triangles;
+      laid_[p].flat = laid_[state_.piece_of(net_->mesh.image_of_triangle(triangles.front()))].flat;
+      laid_[p].flat.triangles = triangles;
     }
   }
 
-  FlatPiece laid(const PanelPiece& piece) const {
-    FlatPiece result{piece.triangles, piece.area, false, false, {}};
+  /// Pieces that are new.
+  void lay_flat() {
+    const std::size_t first = laid_.size();
+    laid_.resize(state_.pieces().size());
+    for_pieces(first, [&](std::size_t p) { laid_[p] = laid(state_.pieces()[p], {}); });
+  }
+
+  Laid laid(const PanelPiece& piece, std::vector<EdgeLength> seams) const {
+    Laid result{{piece.triangles, piece.area, false, false, {}}, {}, std::move(seams)};
     if (piece.triangles.empty()) return result;
     const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
-    const auto flat = laid_flat(net_->mesh, corners, limits_, {.threads = 1});
+    const auto flat = laid_flat(net_->mesh, corners, options_.limits, {.threads = 1}, result.seams);
     if (!flat) return result;
-    result.has_pattern = true;
-    result.overlaps = flat->pattern.overlaps;
-    result.strain = flat->strain;
+    result.flat.has_pattern = true;
+    result.flat.overlaps = flat->pattern.overlaps;
+    result.flat.strain = flat->strain;
+    result.sides = seam_sides(net_->mesh, state_.open(), corners, piece.triangles, flat->pattern);
     return result;
+  }
+
+  /// By edge of the mesh: common_length() of what its sides have in patterns.
+  std::vector<double> common_lengths() const {
+    std::vector<double> sums(net_->mesh.edges().size(), 0.0);
+    std::vector<int> sides(sums.size(), 0);
+    for (std::size_t p = 0; p < laid_.size(); ++p) {
+      if (state_.pieces()[p].triangles.empty()) continue;
+      for (const SeamSide& side : laid_[p].sides) {
+        std::array<Index, 2> edges = {side.edge, side.edge};
+        if (net_->mesh.is_mirrored()) edges[1] = net_->mesh.image_of_edge(side.edge);
+        for (const Index e : edges) {
+          sums[e] += side.length;
+          ++sides[e];
+        }
+      }
+    }
+    for (std::size_t e = 0; e < sums.size(); ++e) {
+      if (sides[e] > 0)
+        sums[e] =
+            common_length(sums[e] / sides[e], net_->mesh.edges()[e].length / net_->mesh.scale());
+    }
+    return sums;
+  }
+
+  /// Lays pieces flat whose seams do not match.
+  /// @return whether there were any
+  bool match_seams() {
+    const std::vector<double> lengths = common_lengths();
+    bool changed = false;
+    std::vector<std::vector<EdgeLength>> seams(laid_.size());
+    for (std::size_t p = 0; p < laid_.size(); ++p) {
+      for (const SeamSide& side : laid_[p].sides)
+        seams[p].push_back({side.ends, lengths[side.edge]});
+      changed = changed || seams[p] != laid_[p].seams;
+    }
+    for_pieces(0, [&](std::size_t p) {
+      if (state_.pieces()[p].triangles.empty() || seams[p] == laid_[p].seams) return;
+      std::vector<SeamSide> sides = std::move(laid_[p].sides);
+      laid_[p] = laid(state_.pieces()[p], std::move(seams[p]));
+      laid_[p].sides = std::move(sides);
+    });
+    return changed;
   }
 
   /// False where nothing can be done.
   bool open_more() {
     bool changed = false;
-    const std::size_t count = flat_.size();
+    const std::size_t count = laid_.size();
     for (std::size_t p = 0; p < count; ++p) {
       const PanelPiece& piece = state_.pieces()[p];
-      if (piece.triangles.empty() || flat_[p].keeps(limits_) || state_.is_image(p)) continue;
+      if (piece.triangles.empty() || keeps(laid_[p]) || state_.is_image(p)) continue;
       // What laps is smaller once it is divided, and may keep the limit then.
-      if (flat_[p].overlaps || !flat_[p].has_pattern) {
+      const FlatPiece& flat = laid_[p].flat;
+      if (flat.overlaps || !flat.has_pattern) {
         changed = divide(p) || changed;
         continue;
       }
-      const double aim = piece.strain() * k_below / excess(flat_[p].strain, limits_);
+      const double aim = piece.strain() * k_below / excess(flat.strain, options_.limits.strain);
       const std::size_t before = state_.pieces().size();
       unzip(state_, net_->chains, p, aim, k_step, pool_);
       changed = changed || state_.pieces().size() > before;
@@ -106,7 +173,7 @@ class Finishing {
   }
 
   bool divide(std::size_t p) {
-    const std::vector<Index> run = lapping_run(state_, net_->chains, p, prices_.piece).run;
+    const std::vector<Index> run = lapping_run(state_, net_->chains, p, options_.prices.piece).run;
     if (run.empty()) return false;
     const SeamRun opened = state_.run_of(run);
     state_.open(opened, state_.opened_pieces(opened));
@@ -115,30 +182,29 @@ class Finishing {
 
   std::shared_ptr<const SeamNet> net_;
   SeamState state_;
-  StrainLimits limits_;
-  SeamPrices prices_;
+  const FinishOptions& options_;
   ThreadPool& pool_;
-  std::vector<FlatPiece> flat_;  // by piece of the state
+  std::vector<Laid> laid_;  // by piece of the state
 };
 
 /// What a mirrored product keeps, so that the product, which may differ a little, does as well.
-StrainLimits a_little_below(StrainLimits limits) {
+FinishOptions a_little_below(FinishOptions options) {
   constexpr double k_share = 0.998;
+  StrainLimits& limits = options.limits.strain;
   for (double* limit : {&limits.rms, &limits.p99, &limits.p99_stretch, &limits.p99_compression,
                         &limits.max, &limits.max_stretch, &limits.max_compression})
     *limit *= k_share;
-  return limits;
+  return options;
 }
 
-FinishedDivision finished(CarriedSeams carried, const StrainLimits& limits,
-                          const SeamPrices& prices, ThreadPool& pool) {
+FinishedDivision finished(CarriedSeams carried, const FinishOptions& options, ThreadPool& pool) {
   for (int round = 0;; ++round) {
     const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
-    FinishedDivision result = Finishing(net, std::move(carried.open), limits, prices, pool).run();
+    FinishedDivision result = Finishing(net, std::move(carried.open), options, pool).run();
     if (result.is_valid || round == k_divisions) return result;
     std::vector<std::vector<Index>> bad;
     for (const FlatPiece& piece : result.pieces) {
-      if (!piece.keeps(limits)) bad.push_back(piece.triangles);
+      if (!piece.keeps(options.limits.strain)) bad.push_back(piece.triangles);
     }
     carried = net->mesh.is_mirrored()
                   ? with_mirrored_pieces_divided(*net, result.open, bad, k_least_part, pool)
@@ -149,22 +215,22 @@ FinishedDivision finished(CarriedSeams carried, const StrainLimits& limits,
 }  // namespace
 
 FinishedDivision finished(const Patch& product, const Division& division,
-                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool) {
+                          const FinishOptions& options, ThreadPool& pool) {
   CarriedSeams carried =
       carried_seams(product, *division.net, division.state.open(), k_least_piece);
-  return finished(std::move(carried), limits, prices, pool);
+  return finished(std::move(carried), options, pool);
 }
 
 FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
-                                   const Division& division, const StrainLimits& limits,
-                                   const SeamPrices& prices, ThreadPool& pool) {
+                                   const Division& division, const FinishOptions& options,
+                                   ThreadPool& pool) {
   const OpenEdges& open = division.state.open();
   const FinishedDivision mirrored =
       finished(carried_mirrored_seams(half, *division.net, open, k_least_piece),
-               a_little_below(limits), prices, pool);
+               a_little_below(options), pool);
   CarriedSeams carried =
       carried_seams(product, *mirrored.net, mirrored.open, k_least_part, k_as_they_are);
-  return finished(std::move(carried), limits, prices, pool);
+  return finished(std::move(carried), options, pool);
 }
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <planish/unfold/strain.h>
 
 #include "panels/division.h"
+#include "panels/piece/laid_flat.h"
 
 namespace planish {
 
@@ -32,19 +33,25 @@ struct FinishedDivision {
   std::size_t tips = 0;
 };
 
+struct FinishOptions {
+  PieceLimits limits = {};  ///< of each pattern
+  bool match_seams = true;  ///< both sides of each seam get the mean of their lengths in patterns
+  SeamPrices prices = {};
+};
+
 /// Carries a division over to the product, lays every piece flat, and opens closed runs: where the
 /// limit is not kept from their ends (unzip()), where a piece laps one that divides it
 /// (lapping_pieces()).
 /// @throws Cancelled
 FinishedDivision finished(const Patch& product, const Division& division,
-                          const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool);
+                          const FinishOptions& options, ThreadPool& pool);
 
 /// The same of a division that is its own mirror image: all is done on the half of the product and
 /// mirrored, and what is found is carried over to the product.
 /// @param half as symmetric_mesh() makes it, on the side that the half of the division is on
 /// @throws Cancelled
 FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
-                                   const Division& division, const StrainLimits& limits,
-                                   const SeamPrices& prices, ThreadPool& pool);
+                                   const Division& division, const FinishOptions& options,
+                                   ThreadPool& pool);
 
 }  // namespace planish

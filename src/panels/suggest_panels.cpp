@@ -92,6 +92,7 @@ class PanelSearch {
         context_(context),
         pool_(context),
         prices_(prices_of(options.prefer)),
+        finish_{{options.limits, options.open_crossings}, options.match_seams, prices_},
         rms_(rms_within(options.limits)),
         half_(options.symmetric_in ? halved_product(product_, *options.symmetric_in)
                                    : std::nullopt),
@@ -143,12 +144,13 @@ class PanelSearch {
   std::optional<FinishedDivision> try_out(std::size_t move) const {
     ThreadPool alone(Context{.threads = 1, .is_cancelled = context_.is_cancelled});
     const std::optional<Plane> plane = half_ ? options_.symmetric_in : std::nullopt;
-    const Division division = divided(thin_, plane, rms_, prices_, way_of_move(move), alone);
+    const DivisionWay way = way_of_move(move);
+    const double limit = rms_ * (options_.match_seams ? way.aim : 1.0);
+    const Division division = divided(thin_, plane, limit, prices_, way, alone);
     const double cost = division.cost + (division.lies_flat ? 0.0 : k_lap);
     if (best_ && best_->is_valid && cost >= best_->cost) return std::nullopt;
-    if (half_)
-      return finished_mirrored(product_, *half_, division, options_.limits, prices_, alone);
-    return finished(product_, division, options_.limits, prices_, alone);
+    if (half_) return finished_mirrored(product_, *half_, division, finish_, alone);
+    return finished(product_, division, finish_, alone);
   }
 
   Patch product_;  // that which is divided
@@ -156,6 +158,7 @@ class PanelSearch {
   const Context& context_;
   ThreadPool pool_;
   SeamPrices prices_;
+  FinishOptions finish_;
   double rms_;
   std::optional<Patch> half_;  // of a product that is to be divided symmetrically
   PanelMesh thin_;
@@ -182,6 +185,7 @@ PanelSuggestion with_one_divided(const Patch& product, const PanelOptions& optio
   };
   PanelOptions of_search = options;
   if (of_search.symmetric_in) of_search.symmetric_in->offset *= scale;
+  of_search.open_crossings *= scale;
   if (options.on_better) {
     of_search.on_better = [&](const PanelSuggestion& better) {
       options.on_better(at_own_scale(better));

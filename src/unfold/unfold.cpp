@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -86,15 +87,28 @@ class Starts {
   ThreadPool& pool_;
 };
 
-/// Those that border edges have in the mesh.
-BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
-                             std::span<const std::array<Index, 2>> free_edges) {
+/// @throws Error option_out_of_range
+void require_lengths(std::span<const EdgeLength> lengths) {
+  for (const EdgeLength& edge : lengths) {
+    if (!(edge.length > 0.0 && std::isfinite(edge.length)))
+      throw Error(ErrorCode::option_out_of_range, "an edge of a seam must get a length above 0");
+  }
+}
+
+/// Those that border edges have in the mesh, or get.
+BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk, const UnfoldOptions& options) {
   BorderLengths lengths{border_lengths(mesh, disk)};
-  if (free_edges.empty()) return lengths;
-  const FreeEdges free(free_edges);
+  if (options.free_edges.empty() && options.seam_lengths.empty()) return lengths;
+  std::map<std::array<Index, 2>, double> given;
+  for (const auto& [edge, length] : options.seam_lengths)
+    given[lower_first(edge[0], edge[1])] = disk.area_scale * (disk.box_scale * length);
+  const FreeEdges free(options.free_edges);
   for (std::size_t k = 0; k < disk.border.size(); ++k) {
     const auto [from, to] = disk.border_edge(k);
-    lengths.is_free.push_back(free.has(disk.vertex_of[from], disk.vertex_of[to]) ? 1 : 0);
+    const Index v = disk.vertex_of[from], w = disk.vertex_of[to];
+    lengths.is_free.push_back(free.has(v, w) ? 1 : 0);
+    if (const auto found = given.find(lower_first(v, w)); found != given.end())
+      lengths.of_edges[k] = found->second;
   }
   return lengths;
 }
@@ -275,7 +289,7 @@ class Unfolding {
   /// Makes the border as long as seams want it; none where that cannot be.
   std::optional<HeldBorder> match_seams(LeastStretch& flat, Pattern& pattern,
                                         const std::function<void()>& after_step) const {
-    HeldBorder border(disk_, wanted_lengths(patch_.mesh(), disk_, options_.free_edges), flat.flat);
+    HeldBorder border(disk_, wanted_lengths(patch_.mesh(), disk_, options_), flat.flat);
     auto matched = with_matched_border(disk_, starts_, border, flat, options_.max_iterations, pool_,
                                        after_step);
     if (!matched) {
@@ -337,6 +351,9 @@ UnfoldOptions of_whole(UnfoldOptions options, const SymmetricWhole& whole) {
   const std::vector<std::array<Index, 2>> edges = options.free_edges;
   for (const std::array<Index, 2>& edge : edges)
     options.free_edges.push_back({whole.image[edge[0]], whole.image[edge[1]]});
+  const std::vector<EdgeLength> lengths = options.seam_lengths;
+  for (const auto& [edge, length] : lengths)
+    options.seam_lengths.push_back({{whole.image[edge[0]], whole.image[edge[1]]}, length});
   return options;
 }
 
@@ -375,6 +392,7 @@ void require_unfoldable(const Patch& patch) {
 Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
   require_unfoldable(patch);
   require(options.limits);
+  require_lengths(options.seam_lengths);
   if (options.fold) {
     if (const auto whole = symmetric_whole(patch, *options.fold))
       return unfold_half(patch, *whole, options, context);
@@ -402,7 +420,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = border_crosses_itself(disk, flat.flat);
-  if (pattern.overlaps && held == nullptr) work.open_crossings(flat.flat, pattern);
+  if (pattern.overlaps) work.open_crossings(flat.flat, pattern);
   return placed(std::move(pattern), patch, disk, std::move(flat.flat));
 }
 

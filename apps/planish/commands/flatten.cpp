@@ -101,7 +101,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .seams = std::move(input.seams),
                  .cut = cut,
                  .folder = request.folder,
-                 .options = product_options_from(arguments, request.options),
+                 .options = product_options_from(arguments, request.options, cut.has_value()),
                  .annotations = {},
                  .paths = {},
                  .files_of = {},
@@ -157,8 +157,8 @@ FlattenRequest flatten_request_from(const Arguments& arguments, Session& session
 
 /// The result of the one patch of a run. What is drawn on the model joins the pattern's
 /// annotations.
-FlattenReport report_of_one(FlattenRequest& request, ProductInput& read, const Arguments& arguments,
-                            Session& session) {
+FlattenReport report_of_one(FlattenRequest& request, ProductInput& read, bool is_cut,
+                            const Arguments& arguments, Session& session) {
   FlattenOptions& options = request.options;
   const std::string& name = read.whole.pieces.front();
   const Patch patch(std::move(read.whole.mesh));
@@ -172,6 +172,7 @@ FlattenReport report_of_one(FlattenRequest& request, ProductInput& read, const A
   options.keep = named_vertices(annotations);
   check_pattern_size(patch, name, plan_of(request.pattern, options.unit, request.nest.get()),
                      session);
+  if (is_cut) match_own_seams(patch, arguments, options, session.silent_context());
   Context context = session.job_context(read.path);
   if (!options.remesh) context = offering_remesh(std::move(context), patch, session);
   return with_turned(flatten(patch, name, options, context), read.whole.turned);
@@ -201,8 +202,8 @@ CommandResult flatten_one(FlattenRequest request, ProductInput read,
       paths_in(request.folder, format, pattern, request.options.may_change(), arguments);
   refuse_shared_paths(paths);
   const std::string size = size_text(read.whole.mesh);
-  const FlattenReport report =
-      about(path, [&] { return report_of_one(request, read, arguments, session); });
+  const FlattenReport report = about(
+      path, [&] { return report_of_one(request, read, cut.has_value(), arguments, session); });
   const DrawnPattern drawn =
       about(path, [&] { return drawn_pattern(report, pattern.annotations); });
   std::optional<NestOutcome> nesting;

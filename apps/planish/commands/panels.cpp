@@ -53,8 +53,9 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   TriMesh mesh = read_whole(path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(std::move(mesh)); });
-  const PanelSuggestion found =
-      about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
+  const PanelSuggestion found = about(path, [&] {
+    return panels_as_asked(patch, path, arguments, session, arguments.has("--match-seams"));
+  });
   const CutInput cut = cut_into_panels(found);
   const std::vector<OutputFile> files = panel_files(found, cut, paths, arguments);
   std::string text = path + "  (" + size_text(patch.mesh()) + ")\n\n" +
@@ -83,6 +84,9 @@ Command panels_command() {
                     "the plane, no (default auto)"};
   symmetric.accepts = {.type = ValueType::text, .standard = "auto"};
   search.flags.push_back(std::move(symmetric));
+  search.flags.push_back({"--match-seams", "",
+                          "keep the limit with both sides of each seam equally long, as the "
+                          "pieces of flatten --cut auto do"});
   return {
       "panels",
       "where to cut a whole product into panels",

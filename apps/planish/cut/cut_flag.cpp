@@ -318,7 +318,8 @@ CutInput cut_without_images(TriMesh mesh, const std::string& path, const Argumen
     return open;
   }
   if (asks_for_panels(arguments)) {
-    CutInput divided = divided_into_panels(Patch(result.mesh), path, arguments, session);
+    CutInput divided =
+        divided_into_panels(Patch(result.mesh), path, arguments, session, limits.match_panels);
     *divided.cut += *result.cut;
     return divided;
   }
@@ -354,7 +355,8 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                          ? cut_along_lines(mesh, &symmetric, path, arguments, session)
                          : CutInput{symmetric.surface_for(none)};
     if (asks_for_panels(arguments)) {
-      CutInput divided = divided_into_panels(Patch(input.mesh), path, arguments, session);
+      CutInput divided =
+          divided_into_panels(Patch(input.mesh), path, arguments, session, limits.match_panels);
       if (input.cut) *divided.cut += *input.cut;
       input = std::move(divided);
     }
@@ -365,9 +367,9 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
 }
 
 CutInput divided_into_panels(const Patch& patch, const std::string& path,
-                             const Arguments& arguments, Session& session) {
+                             const Arguments& arguments, Session& session, bool match_seams) {
   const PanelSuggestion found =
-      about(path, [&] { return panels_as_asked(patch, path, arguments, session); });
+      about(path, [&] { return panels_as_asked(patch, path, arguments, session, match_seams); });
   session.note("--cut auto: " + panels_words(found, unit_from(arguments)) +
                (found.met ? "" : "; not every piece keeps the limit of strain"));
   return cut_into_panels(found);

@@ -34,10 +34,11 @@ struct CutInput {
   std::optional<Plane> symmetric_in = {};  ///< that of --symmetric; model units
 };
 
-/// How far `--cut open` goes.
+/// How far `--cut open` and `--cut auto` go.
 struct OpeningLimits {
   std::size_t most_pieces = 1;  ///< as CutGraphOptions has it
-  bool match_seams = false;     ///< the pieces are sewn to others
+  bool match_seams = false;     ///< the pieces of `--cut open` are sewn to others
+  bool match_panels = false;    ///< PanelOptions::match_seams
 };
 
 /// @throws Error as read_cuts(), cut_open(), cut_graph() and SymmetricDesign
@@ -45,9 +46,10 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                       Session& session, const OpeningLimits& limits = {});
 
 /// As `--cut auto` does: divides into panels that keep the limits of the flags.
+/// @param match_seams as PanelOptions has it
 /// @throws Error as suggest_panels()
 CutInput divided_into_panels(const Patch& patch, const std::string& path,
-                             const Arguments& arguments, Session& session);
+                             const Arguments& arguments, Session& session, bool match_seams);
 
 /// What --cut did as "cut": {"edges", "length", ...}, for a report.
 MoreFigures figures_of(const CutOutcome& cut);

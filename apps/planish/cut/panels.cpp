@@ -9,6 +9,7 @@
 #include <planish/mesh/cut.h>
 #include <planish/mesh/surface_line.h>
 #include <planish/mesh/symmetry.h>
+#include <planish/unfold/unfold.h>
 
 #include "cut/caps.h"
 #include "cut/symmetric_design.h"
@@ -82,9 +83,11 @@ std::optional<Plane> plane_of_panels(const Patch& patch, const std::string& path
 }
 
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
-                                const Arguments& arguments, Session& session) {
+                                const Arguments& arguments, Session& session, bool match_seams) {
   PanelOptions options = panel_options_from(arguments);
   const Unit unit = unit_from(arguments);
+  options.match_seams = match_seams;
+  options.open_crossings = k_hair / millimetres_per(unit);
   options.on_better = [&](const PanelSuggestion& better) {
     session.tell(path + ": " + panels_words(better, unit) +
                  (better.met ? "" : "; the limit is not kept"));

@@ -25,9 +25,10 @@ void note_idle_panel_flags(const Arguments& arguments, Session& session);
 /// Divides a product as panel_options_from() says. Prints each better answer. If the user stops the
 /// search, returns the best answer so far, and the run continues.
 /// @param path of the product, for the line of progress
+/// @param match_seams as PanelOptions has it
 /// @throws Error as suggest_panels(); UsageError; Cancelled before there is an answer
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
-                                const Arguments& arguments, Session& session);
+                                const Arguments& arguments, Session& session, bool match_seams);
 
 /// "2 pieces, 1478 mm of seam, 3 slits"
 std::string panels_words(const PanelSuggestion& found, Unit unit);

@@ -13,6 +13,7 @@
 #include "cut/panels.h"
 #include "cut/requested_lines.h"
 #include "cut/symmetric_design.h"
+#include "flags/unfold_flags.h"
 #include "mesh/split.h"
 #include "model/model_flags.h"
 #include "shell/failures.h"
@@ -74,7 +75,8 @@ std::vector<std::string> reasons_to_divide(const ProductInput& input) {
 CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::string& reason,
                          const Arguments& arguments, Session& session) {
   try {
-    CutInput cut = divided_into_panels(Patch(mesh), path, arguments, session);
+    CutInput cut = divided_into_panels(Patch(mesh), path, arguments, session,
+                                       matches_seams_of_product(arguments));
     session.note(
         path + ": " + reason +
         ", so it was divided, as by --cut auto. Of a wall with a thickness --side takes one "
@@ -93,7 +95,9 @@ std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
   CutInput cut = {};
   if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
     cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                       {.most_pieces = k_most_pieces, .match_seams = is_one_of_several});
+                       {.most_pieces = k_most_pieces,
+                        .match_seams = is_one_of_several,
+                        .match_panels = matches_seams_of_product(arguments)});
   } else if (!reason.empty()) {
     cut = divided_unasked(std::move(patch.mesh), path, reason, arguments, session);
   } else {

@@ -25,10 +25,22 @@ double seam_tolerance_from(const Arguments& arguments) {
                         {.min = 0.0}, arguments);
 }
 
-ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten) {
+void match_own_seams(const Patch& patch, const Arguments& arguments, FlattenOptions& options,
+                     const Context& context) {
+  if (!matches_seams_of_product(arguments) || options.match_seams) return;
+  SewnBorder border = find_own_seams(patch, options, context);
+  if (!border.has_seams) return;
+  options.match_seams = options.match_if_possible = true;
+  options.free_edges = std::move(border.free_edges);
+  options.seam_lengths = std::move(border.lengths);
+}
+
+ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten,
+                                    bool is_cut) {
   return {.flatten = std::move(flatten),
           .seam_tolerance = seam_tolerance_from(arguments),
-          .match_seams = matches_seams_of_product(arguments)};
+          .match_seams = matches_seams_of_product(arguments),
+          .common_lengths = is_cut};
 }
 
 std::vector<SeamNotch> seam_notches_from(const Arguments& arguments) {

@@ -21,9 +21,17 @@ namespace planish::cli {
 /// --seam-tolerance, model units; 0 without.
 double seam_tolerance_from(const Arguments& arguments);
 
+/// Both sides of the slits of a patch that was cut become equally long, unless seams need not match
+/// or all of its border keeps its lengths.
+/// @throws UsageError, Cancelled
+void match_own_seams(const Patch& patch, const Arguments& arguments, FlattenOptions& options,
+                     const Context& context);
+
 /// How a product is made whose patches are flattened so.
+/// @param is_cut its pieces are of one form: ProductOptions::common_lengths
 /// @throws UsageError
-ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten);
+ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten,
+                                    bool is_cut);
 
 /// What the file of --seam-notches asks for; nothing without that flag.
 /// @throws Error as read_rows() and seam_notches_in()

@@ -64,6 +64,10 @@ std::string hash_of(const SewnBorder& border) {
   add_value(hash, border.has_seams);
   for (const std::array<Index, 2>& edge : border.free_edges)
     add_value(hash, edge);
+  for (const EdgeLength& edge : border.lengths) {
+    add_value(hash, edge.edge);
+    add_value(hash, edge.length);
+  }
   return hash_text(hash.value());
 }
 

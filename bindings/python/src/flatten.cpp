@@ -55,7 +55,8 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
   cli::PatternFiles pattern = cli::pattern_files_from(arguments);
   Job job(arguments, std::move(progress));
   FlattenResult result = job.run([&](cli::Session& session) {
-    cli::CutInput input = cut_input(data, arguments, session);
+    cli::CutInput input = cut_input(data, arguments, session,
+                                    {.match_panels = cli::matches_seams_of_product(arguments)});
     const Patch patch(std::move(input.mesh));
     cli::note_obstruction(session, patch);
     options.constraints = cli::constraints_from(arguments, patch, session);
@@ -63,6 +64,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
     pattern.annotations =
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     options.keep = named_vertices(pattern.annotations);
+    if (input.cut) cli::match_own_seams(patch, arguments, options, session.silent_context());
     FlattenReport report = flatten(patch, data.name, options, session.job_context({}));
     cli::warn_of_pattern(session, report.unfold, arguments.has("--unit"));
     cli::note_cautions(session, data.name, report.cautions, cli::unit_from(arguments));

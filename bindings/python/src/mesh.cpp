@@ -120,9 +120,9 @@ std::vector<std::string> notes_on(const MeshData& data, const cli::Arguments& ar
 }
 
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
-                        cli::Session& session) {
+                        cli::Session& session, const cli::OpeningLimits& limits) {
   return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
-                           arguments, session);
+                           arguments, session, limits);
 }
 
 py::dict figures_of(const std::string& json) {

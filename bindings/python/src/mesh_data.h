@@ -37,7 +37,7 @@ std::vector<std::string> notes_on(const MeshData& data, const cli::Arguments& ar
 
 /// The mesh in its unit and, where --cut asks for it, cut.
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
-                        cli::Session& session);
+                        cli::Session& session, const cli::OpeningLimits& limits = {});
 
 /// A dictionary of a JSON text.
 py::dict figures_of(const std::string& json);

@@ -67,7 +67,7 @@ ProductResult flatten_patches(
   ProductResult result = job.run([&](cli::Session& session) {
     const cli::Arguments arguments = with_unit(session);
     const FlattenOptions options = cli::flatten_options_from(arguments);
-    const ProductOptions product = cli::product_options_from(arguments, options);
+    const ProductOptions product = cli::product_options_from(arguments, options, false);
     cli::colors_from(arguments);
     const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
     Patches input = patches_of(session, arguments);

@@ -162,6 +162,8 @@ struct FlattenOptions {
   bool match_if_possible = false;  ///< likewise
   /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
   std::vector<std::array<Index, 2>> free_edges = {};
+  /// As UnfoldOptions has them; not together with remesh.
+  std::vector<EdgeLength> seam_lengths = {};
   /// As UnfoldOptions has it, by the vertices of the patch before it is remeshed: the whole is
   /// evolved too, and the result is its half.
   std::optional<std::array<Index, 2>> fold = {};

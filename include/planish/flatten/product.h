@@ -46,6 +46,12 @@ struct ProductOptions {
   /// patch that cannot is laid flat without: Pattern::is_unmatchable. Idle with
   /// flatten.match_seams.
   bool match_seams = true;
+  /// With match_seams: of the pieces of one form that was cut. Edges of seams with equal vertices
+  /// on both sides get a common length instead, the mean of what they have in the patterns of both
+  /// sides, but within a tenth of their own: these strain less. Where a piece keeps its limits in
+  /// no pattern, edges sewn to it keep their own. Idle with a method, with smoothing and with
+  /// remeshing, which change lengths.
+  bool common_lengths = false;
 };
 
 /// Another patch of the product that a patch is the mirror image of, or equal to.
@@ -59,7 +65,15 @@ struct PatchTwin {
 struct SewnBorder {
   bool has_seams = false;                             ///< some of it does
   std::vector<std::array<Index, 2>> free_edges = {};  ///< along no seam; empty without seams
+  std::vector<EdgeLength> lengths = {};               ///< that seams get instead of their own
 };
+
+/// Of a patch alone that is sewn to itself, as along slits and darts: with lengths as
+/// ProductOptions::common_lengths has it. Without such seams, and where its lengths do not stay or
+/// no pattern keeps the limits, nothing of it is sewn.
+/// @throws Cancelled
+SewnBorder find_own_seams(const Patch& patch, const FlattenOptions& options,
+                          const Context& context);
 
 /// What the product as a whole needs of a patch that was flattened; a full report is many times as
 /// large.

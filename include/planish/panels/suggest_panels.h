@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -50,7 +51,12 @@ struct PanelSuggestion {
 struct PanelOptions {
   StrainLimits limits = {.rms = 0.02};            ///< of each pattern; at least one
   PanelPreference prefer = PanelPreference::few;  ///< what is saved first
-  std::size_t moves = 12;                         ///< divisions that are tried, 1 or more
+  /// Patterns keep the limits with both sides of each seam equally long: the mean of what they
+  /// would have else.
+  bool match_seams = true;
+  /// As UnfoldOptions has it; the sides of slits may cross by a hair.
+  double open_crossings = std::numeric_limits<double>::max();
+  std::size_t moves = 12;  ///< divisions that are tried, 1 or more
   /// Where given: a plane in which the product is its own mirror image. The panels then are, but
   /// for what the product itself is not: each lies across the plane, or has a mirror image.
   std::optional<Plane> symmetric_in = {};

@@ -20,6 +20,14 @@ inline constexpr double k_spread_budget = 1.06;
 /// (UnfoldOptions::open_crossings), millimetres.
 inline constexpr double k_hair = 0.1;
 
+/// How long a border edge is to be in the pattern.
+struct EdgeLength {
+  std::array<Index, 2> edge;  ///< the vertices at its ends
+  double length;              ///< model units, above 0
+
+  bool operator==(const EdgeLength&) const = default;
+};
+
 /// How a patch is laid flat.
 struct UnfoldOptions {
   int max_iterations = 200;  ///< Newton steps at most
@@ -32,6 +40,8 @@ struct UnfoldOptions {
   /// Border edges that may change theirs all the same, as they are sewn to nothing: by the vertices
   /// at their ends.
   std::vector<std::array<Index, 2>> free_edges = {};
+  /// With match_seams: border edges that get other lengths than their own.
+  std::vector<EdgeLength> seam_lengths = {};
   /// True: the pattern of least stretch, which has little rms strain. False: for up to
   /// k_spread_budget of that, the largest strains are made as small as they get, where no limit
   /// changes the pattern. With match_seams both are among patterns of matched seams.
@@ -43,7 +53,7 @@ struct UnfoldOptions {
   StrainLimits limits = {};
   /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
   /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With
-  /// match_seams none is moved, as that would change lengths.
+  /// match_seams too, where it changes lengths by about as much at most.
   double open_crossings = 0.0;
   /// The ends of a stretch of the border, along which the patch is the half of a symmetric whole.
   /// Where it lies in a plane, but for a thousandth of its length, the whole is laid flat, and the

@@ -12,6 +12,7 @@
 #include "flatten/check_request.h"
 #include "flatten/limit_checks.h"
 #include "flatten/outcome.h"
+#include "flatten/product/common_lengths.h"
 #include "flatten/product/product_seams.h"
 #include "flatten/product/workers.h"
 #include "flatten/twin_report.h"
@@ -98,6 +99,7 @@ class PatchWork {
     FlattenOptions options = options_.flatten;
     options.keep = patches_[p].keep;
     options.free_edges = borders_[p].free_edges;
+    options.seam_lengths = borders_[p].lengths;
     if (!options.match_seams)
       options.match_seams = options.match_if_possible =
           options_.match_seams && borders_[p].has_seams;
@@ -213,8 +215,19 @@ class ProductWork {
     if (!options_.match_seams && !options_.flatten.match_seams)
       return std::vector<SewnBorder>(patches_.size());
     const std::vector<TriMesh> meshes = input_meshes();
-    return find_sewn_borders(
-        find_seams_in_groups(meshes, groups_of_patches(), options_.seam_tolerance), meshes, alike_);
+    const std::vector<Seam> seams =
+        find_seams_in_groups(meshes, groups_of_patches(), options_.seam_tolerance);
+    std::vector<SewnBorder> borders = find_sewn_borders(seams, meshes, alike_);
+    const FlattenOptions& flatten = options_.flatten;
+    if (options_.common_lengths && keeps_lengths(flatten)) {
+      std::vector<SewnPatch> sewn;
+      for (const ProductPatch& patch : patches_)
+        sewn.push_back({&patch.mesh, patch.limits.value_or(flatten.limits)});
+      give_common_lengths(seams, sewn, alike_,
+                          {.least_stretch = true, .symmetric_in = flatten.constraints.symmetric_in},
+                          borders, context_);
+    }
+    return borders;
   }
 
   void find_alike() {

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -275,6 +277,32 @@ TEST(FreeEdges, LeaveNothingToGain) {
       EXPECT_GT(energy_of(mesh, flat), least) << v;
       flat[v] = place;
     }
+  }
+}
+
+TEST(MatchSeams, GivesEdgesTheLengthsThatAreAskedFor) {
+  const TriMesh mesh = make_shape("dome", 200);
+  const Patch patch(mesh);
+  UnfoldOptions options{.match_seams = true};
+  options.least_stretch = true;
+  const std::vector<Index>& loop = patch.border_loops().front();
+  std::map<std::array<Index, 2>, double> wanted;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+    const double own = norm(mesh.positions[w] - mesh.positions[v]);
+    wanted[{v, w}] = own;
+    if (k % 2 == 0) continue;
+    wanted[{v, w}] = 1.02 * own;
+    options.seam_lengths.push_back({{w, v}, 1.02 * own});
+  }
+  const Pattern pattern = unfold(patch, options);
+  for (const auto& [edge, length] : wanted) {
+    const Vec2 along = pattern.positions[edge[1]] - pattern.positions[edge[0]];
+    EXPECT_NEAR(norm(along), length, 1e-9 * length);
+  }
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    options.seam_lengths.back().length = bad;
+    EXPECT_THROW(unfold(patch, options), Error);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "panels/finish.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "panels/carried_seams.h"
@@ -57,12 +58,13 @@ class Finishing {
   void lay_flat() {
     const std::size_t first = flat_.size(), count = state_.pieces().size() - first;
     flat_.resize(state_.pieces().size());
+    lapping_.resize(state_.pieces().size());
     const auto is_image = [&](std::size_t p) {
       return !state_.pieces()[p].triangles.empty() && state_.is_image(p);
     };
     pool_.for_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = first + begin; i < first + end; ++i) {
-        if (!is_image(i)) flat_[i] = laid(state_.pieces()[i]);
+        if (!is_image(i)) lay_flat(i);
       }
     });
     for (std::size_t p = first; p < flat_.size(); ++p) {
@@ -73,16 +75,17 @@ class Finishing {
     }
   }
 
-  FlatPiece laid(const PanelPiece& piece) const {
-    FlatPiece result{piece.triangles, piece.area, false, false, {}};
-    if (piece.triangles.empty()) return result;
+  void lay_flat(std::size_t p) {
+    const PanelPiece& piece = state_.pieces()[p];
+    flat_[p] = {piece.triangles, piece.area, false, false, {}};
+    if (piece.triangles.empty()) return;
     const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
-    const auto flat = laid_flat(net_->mesh, corners, limits_, {.threads = 1});
-    if (!flat) return result;
-    result.has_pattern = true;
-    result.overlaps = flat->pattern.overlaps;
-    result.strain = flat->strain;
-    return result;
+    auto flat = laid_flat(net_->mesh, corners, limits_, {.threads = 1});
+    if (!flat) return;
+    flat_[p].has_pattern = true;
+    flat_[p].overlaps = flat->pattern.overlaps;
+    flat_[p].strain = flat->strain;
+    if (flat_[p].overlaps) lapping_[p] = std::move(flat);
   }
 
   /// False where nothing can be done.
@@ -99,14 +102,16 @@ class Finishing {
       }
       const double aim = piece.strain() * k_below / excess(flat_[p].strain, limits_);
       const std::size_t before = state_.pieces().size();
-      unzip(state_, net_->chains, p, aim, k_step, pool_);
+      unzip(state_, net_->chains, p, aim, k_step);
       changed = changed || state_.pieces().size() > before;
     }
     return changed;
   }
 
   bool divide(std::size_t p) {
-    const std::vector<Index> run = lapping_run(state_, net_->chains, p, prices_.piece).run;
+    const std::vector<Index> run =
+        dividing_run(state_, net_->chains, p, prices_.piece, lapping_[p]);
+    lapping_[p].reset();
     if (run.empty()) return false;
     const SeamRun opened = state_.run_of(run);
     state_.open(opened, state_.opened_pieces(opened));
@@ -119,6 +124,8 @@ class Finishing {
   SeamPrices prices_;
   ThreadPool& pool_;
   std::vector<FlatPiece> flat_;  // by piece of the state
+  std::vector<std::optional<LaidFlat>>
+      lapping_;  // patterns of those that do, by piece of the state
 };
 
 /// What a mirrored product keeps, so that the product, which may differ a little, does as well.

@@ -153,12 +153,35 @@ FinishedDivision finished(CarriedSeams carried, const StrainLimits& limits,
   }
 }
 
+double largest_strain(const SeamState& state) {
+  double largest = 0.0;
+  for (const PanelPiece& piece : state.pieces())
+    largest = std::max(largest, piece.strain());
+  return largest;
+}
+
+/// The fairest seams that leave the strain about what it is on the thinned product.
+/// @param carry lays them on the product, given how far they may move
+template <class Carry>
+CarriedSeams fair_seams(const Division& division, ThreadPool& pool, const Carry& carry) {
+  constexpr double k_more = 1.03;  // of the largest strain
+  const double most = k_more * largest_strain(division.state);
+  for (const SeamMoves& moves :
+       {SeamMoves{.tight = 12.0, .rounds = 4}, SeamMoves{.tight = 6.0, .rounds = 2},
+        SeamMoves{.tight = 4.0, .rounds = 1}}) {
+    CarriedSeams carried = carry(moves);
+    if (largest_strain(SeamState(carried.net.mesh, carried.open, pool)) <= most) return carried;
+  }
+  return carry(SeamMoves{});
+}
+
 }  // namespace
 
 FinishedDivision finished(const Patch& product, const Division& division,
                           const StrainLimits& limits, const SeamPrices& prices, ThreadPool& pool) {
-  CarriedSeams carried =
-      carried_seams(product, *division.net, division.state.open(), k_least_piece);
+  CarriedSeams carried = fair_seams(division, pool, [&](const SeamMoves& moves) {
+    return carried_seams(product, *division.net, division.state.open(), k_least_piece, moves);
+  });
   return finished(std::move(carried), limits, prices, pool);
 }
 
@@ -166,11 +189,13 @@ FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
                                    const Division& division, const StrainLimits& limits,
                                    const SeamPrices& prices, ThreadPool& pool) {
   const OpenEdges& open = division.state.open();
+  CarriedSeams on_half = fair_seams(division, pool, [&](const SeamMoves& moves) {
+    return carried_mirrored_seams(half, *division.net, open, k_least_piece, moves);
+  });
   const FinishedDivision mirrored =
-      finished(carried_mirrored_seams(half, *division.net, open, k_least_piece),
-               a_little_below(limits), prices, pool);
-  CarriedSeams carried =
-      carried_seams(product, *mirrored.net, mirrored.open, k_least_part, k_as_they_are);
+      finished(std::move(on_half), a_little_below(limits), prices, pool);
+  CarriedSeams carried = carried_seams(product, *mirrored.net, mirrored.open, k_least_part,
+                                       {.straightened = k_as_they_are});
   return finished(std::move(carried), limits, prices, pool);
 }
 

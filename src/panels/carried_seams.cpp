@@ -4,11 +4,11 @@
 #include <utility>
 
 #include <planish/mesh/carry.h>
-#include <planish/mesh/geodesic.h>
 #include <planish/mesh/imprint.h>
 
 #include "mesh/disjoint_sets.h"
 #include "panels/cells/merge_cells.h"
+#include "panels/seam_tracer.h"
 
 namespace planish {
 
@@ -37,20 +37,36 @@ void straighten(const std::vector<Index>& line, std::span<const Vec3> origin,
   }
 }
 
+/// A stretch of a chain, of edges on creases or of others.
+struct Stretch {
+  DrawnLine line;
+  bool is_crease = false;
+};
+
 /// A chain of edges that are open, or of closed ones.
 struct Run {
-  DrawnLine line;
+  std::vector<Stretch> stretches;  // one after the other
   bool is_open = false;
 };
 
 /// Puts ends of lines that are on the border of the thinned product onto that of the product.
-void lead_to_border(const Patch& product, const SeamChain& chain, const Patch& thinned,
-                    DrawnLine& line) {
+void lead_to_border(const Patch& product, const SeamChain& chain, const Patch& thinned, Run& run) {
   const auto lead = [&](Index v, Vec3& end) {
     if (thinned.is_border(v)) end = product.positions()[nearest_on_border(product, end)];
   };
-  lead(chain.vertices.front(), line.points.front());
-  lead(chain.vertices.back(), line.points.back());
+  lead(chain.vertices.front(), run.stretches.front().line.points.front());
+  lead(chain.vertices.back(), run.stretches.back().line.points.back());
+}
+
+Run run_of(const SeamNet& net, const SeamChain& chain, std::span<const Vec3> places, bool is_open) {
+  Run run{{}, is_open};
+  for (std::size_t k = 0; k < chain.edges.size(); ++k) {
+    const bool is_on_crease = is_crease(net.mesh, net.mesh.edges()[chain.edges[k]]);
+    if (run.stretches.empty() || run.stretches.back().is_crease != is_on_crease)
+      run.stretches.push_back({{{places[chain.vertices[k]]}, {}}, is_on_crease});
+    run.stretches.back().line.points.push_back(places[chain.vertices[k + 1]]);
+  }
+  return run;
 }
 
 /// Open ones go on where closed ones end.
@@ -70,10 +86,8 @@ std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const O
   for (const bool is_open : {true, false}) {
     for (const SeamChain& chain : seam_chains(net.mesh, is_open ? open : closed)) {
       straighten(chain.vertices, origin, held, farthest, places);
-      runs.push_back({{}, is_open});
-      for (const Index v : chain.vertices)
-        runs.back().line.points.push_back(places[v]);
-      lead_to_border(product, chain, net.mesh.patch(), runs.back().line);
+      runs.push_back(run_of(net, chain, places, is_open));
+      lead_to_border(product, chain, net.mesh.patch(), runs.back());
     }
     // Closed lines leave open ones where they are.
     for (std::size_t e = 0; e < open.size(); ++e) {
@@ -82,20 +96,6 @@ std::vector<Run> straight_runs(const Patch& product, const SeamNet& net, const O
     }
   }
   return runs;
-}
-
-/// A drawn line on the product. Where it leaves the product, as over a hollow, it goes the shortest
-/// way on.
-SurfaceLine traced(const Patch& product, const DrawnLine& drawn) {
-  SurfaceLine whole;
-  for (const SurfaceLine& part : trace_lines(product, {{drawn}, {}}).lines) {
-    if (!whole.empty()) {
-      const std::vector<SurfacePoint> bridge = geodesic(product, whole.back(), part.front()).points;
-      whole.insert(whole.end(), bridge.begin(), bridge.end());
-    }
-    whole.insert(whole.end(), part.begin(), part.end());
-  }
-  return whole;
 }
 
 void set_edges(const PanelMesh& mesh, const std::vector<Index>& path, OpenEdges& edges) {
@@ -171,13 +171,27 @@ CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> li
 }
 
 CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenEdges& open,
-                           double least_area, double most_move) {
+                           double least_area, const SeamMoves& moves) {
+  const std::vector<Run> runs = straight_runs(product, net, open, moves.straightened);
+  std::vector<DrawnLine> drawn;
+  for (const Run& run : runs) {
+    for (const Stretch& stretch : run.stretches)
+      drawn.push_back(stretch.line);
+  }
+  const SeamTracer tracer(product);
+  const std::vector<SurfaceLine> traced = tracer.traced(drawn);
   std::vector<SurfaceLine> lines;
   std::vector<unsigned char> is_open;
-  for (const Run& run : straight_runs(product, net, open, most_move)) {
-    SurfaceLine line = traced(product, run.line);
-    if (line.size() < 2) continue;
-    lines.push_back(std::move(line));
+  std::size_t k = 0;
+  for (const Run& run : runs) {
+    std::vector<SurfaceLine> parts;
+    for (const Stretch& stretch : run.stretches) {
+      const SurfaceLine& line = traced[k++];
+      if (line.size() < 2) continue;
+      parts.push_back(stretch.is_crease ? line : tracer.fair(line, moves.tight, moves.rounds));
+    }
+    if (parts.empty()) continue;
+    lines.push_back(tracer.joined(parts));
     is_open.push_back(run.is_open ? 1 : 0);
   }
   return imprinted_seams(product, lines, is_open, least_area);

@@ -24,11 +24,18 @@ CarriedSeams imprinted_seams(const Patch& patch, std::span<const SurfaceLine> li
 /// The vertex of the border that is nearest to a place. @pre there is a border
 Index nearest_on_border(const Patch& patch, Vec3 place);
 
-/// Lays the seams of a thinned product on the product itself: each chain is made fairer and traced
-/// as what is drawn over a mesh is (trace_lines()), then as imprinted_seams() does.
+/// How far seams may leave their places to become fair lines.
+struct SeamMoves {
+  double straightened = 0.7;  ///< vertices of the net move so far at most, its mean edges
+  double tight = 0.0;         ///< SeamTracer::fair(): length of a part, mean edges of the product
+  int rounds = 0;             ///< of it
+};
+
+/// Lays the seams of a thinned product on the product itself: each chain is made straighter, traced
+/// as what is drawn over a mesh is and drawn tight in parts (SeamTracer), then as imprinted_seams()
+/// does. Along creases seams stay.
 /// @param open of the edges of the net
-/// @param most_move of its vertices when they are made fairer, mean edges of the net's mesh
 CarriedSeams carried_seams(const Patch& product, const SeamNet& net, const OpenEdges& open,
-                           double least_area, double most_move = 0.7);
+                           double least_area, const SeamMoves& moves = {});
 
 }  // namespace planish

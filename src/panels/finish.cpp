@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "panels/carried_seams.h"
@@ -64,6 +65,7 @@ class Finishing {
     FlatPiece flat;
     std::vector<SeamSide> sides = {};    ///< as they are if seams need not match
     std::vector<EdgeLength> seams = {};  ///< that the pattern was given
+    std::optional<LaidFlat> lapping = {};
   };
 
   bool keeps(const Laid& piece) const { return piece.flat.keeps(options_.limits.strain); }
@@ -99,12 +101,13 @@ class Finishing {
     Laid result{{piece.triangles, piece.area, false, false, {}}, {}, std::move(seams)};
     if (piece.triangles.empty()) return result;
     const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
-    const auto flat = laid_flat(net_->mesh, corners, options_.limits, {.threads = 1}, result.seams);
+    auto flat = laid_flat(net_->mesh, corners, options_.limits, {.threads = 1}, result.seams);
     if (!flat) return result;
     result.flat.has_pattern = true;
     result.flat.overlaps = flat->pattern.overlaps;
     result.flat.strain = flat->strain;
     result.sides = seam_sides(net_->mesh, state_.open(), corners, piece.triangles, flat->pattern);
+    if (result.flat.overlaps) result.lapping = std::move(flat);
     return result;
   }
 
@@ -166,14 +169,16 @@ class Finishing {
       }
       const double aim = piece.strain() * k_below / excess(flat.strain, options_.limits.strain);
       const std::size_t before = state_.pieces().size();
-      unzip(state_, net_->chains, p, aim, k_step, pool_);
+      unzip(state_, net_->chains, p, aim, k_step);
       changed = changed || state_.pieces().size() > before;
     }
     return changed;
   }
 
   bool divide(std::size_t p) {
-    const std::vector<Index> run = lapping_run(state_, net_->chains, p, options_.prices.piece).run;
+    const std::vector<Index> run =
+        dividing_run(state_, net_->chains, p, options_.prices.piece, laid_[p].lapping);
+    laid_[p].lapping.reset();
     if (run.empty()) return false;
     const SeamRun opened = state_.run_of(run);
     state_.open(opened, state_.opened_pieces(opened));
@@ -212,12 +217,35 @@ FinishedDivision finished(CarriedSeams carried, const FinishOptions& options, Th
   }
 }
 
+double largest_strain(const SeamState& state) {
+  double largest = 0.0;
+  for (const PanelPiece& piece : state.pieces())
+    largest = std::max(largest, piece.strain());
+  return largest;
+}
+
+/// The fairest seams that leave the strain about what it is on the thinned product.
+/// @param carry lays them on the product, given how far they may move
+template <class Carry>
+CarriedSeams fair_seams(const Division& division, ThreadPool& pool, const Carry& carry) {
+  constexpr double k_more = 1.03;  // of the largest strain
+  const double most = k_more * largest_strain(division.state);
+  for (const SeamMoves& moves :
+       {SeamMoves{.tight = 12.0, .rounds = 4}, SeamMoves{.tight = 6.0, .rounds = 2},
+        SeamMoves{.tight = 4.0, .rounds = 1}}) {
+    CarriedSeams carried = carry(moves);
+    if (largest_strain(SeamState(carried.net.mesh, carried.open, pool)) <= most) return carried;
+  }
+  return carry(SeamMoves{});
+}
+
 }  // namespace
 
 FinishedDivision finished(const Patch& product, const Division& division,
                           const FinishOptions& options, ThreadPool& pool) {
-  CarriedSeams carried =
-      carried_seams(product, *division.net, division.state.open(), k_least_piece);
+  CarriedSeams carried = fair_seams(division, pool, [&](const SeamMoves& moves) {
+    return carried_seams(product, *division.net, division.state.open(), k_least_piece, moves);
+  });
   return finished(std::move(carried), options, pool);
 }
 
@@ -225,11 +253,12 @@ FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
                                    const Division& division, const FinishOptions& options,
                                    ThreadPool& pool) {
   const OpenEdges& open = division.state.open();
-  const FinishedDivision mirrored =
-      finished(carried_mirrored_seams(half, *division.net, open, k_least_piece),
-               a_little_below(options), pool);
-  CarriedSeams carried =
-      carried_seams(product, *mirrored.net, mirrored.open, k_least_part, k_as_they_are);
+  CarriedSeams on_half = fair_seams(division, pool, [&](const SeamMoves& moves) {
+    return carried_mirrored_seams(half, *division.net, open, k_least_piece, moves);
+  });
+  const FinishedDivision mirrored = finished(std::move(on_half), a_little_below(options), pool);
+  CarriedSeams carried = carried_seams(product, *mirrored.net, mirrored.open, k_least_part,
+                                       {.straightened = k_as_they_are});
   return finished(std::move(carried), options, pool);
 }
 

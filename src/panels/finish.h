@@ -41,7 +41,7 @@ struct FinishOptions {
 
 /// Carries a division over to the product, lays every piece flat, and opens closed runs: where the
 /// limit is not kept from their ends (unzip()), where a piece laps one that divides it
-/// (lapping_pieces()).
+/// (dividing_run()).
 /// @throws Cancelled
 FinishedDivision finished(const Patch& product, const Division& division,
                           const FinishOptions& options, ThreadPool& pool);

@@ -99,10 +99,10 @@ CarriedSeams unfolded_seams(const FoldedSeams& folded, const Plane& plane) {
 }
 
 CarriedSeams carried_mirrored_seams(const Patch& half, const SeamNet& net, const OpenEdges& open,
-                                    double least_area) {
+                                    double least_area, const SeamMoves& moves) {
   const FoldedSeams thinned = folded_seams(net, open);
   FoldedSeams folded{
-      carried_seams(half, thinned.half.net, thinned.half.open, k_of_half * least_area), {}};
+      carried_seams(half, thinned.half.net, thinned.half.open, k_of_half * least_area, moves), {}};
   const std::vector<Vec3>& places = thinned.half.net.mesh.patch().positions();
   for (const FoldRun& run : thinned.open) {
     const FoldRun there{nearest_on_border(half, places[run.from]),

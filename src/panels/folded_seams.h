@@ -30,7 +30,7 @@ CarriedSeams unfolded_seams(const FoldedSeams& folded, const Plane& plane);
 /// carried_seams() of a mirrored net onto the half of a product.
 /// @param half on the side of the plane that the half of the net is on
 CarriedSeams carried_mirrored_seams(const Patch& half, const SeamNet& net, const OpenEdges& open,
-                                    double least_area);
+                                    double least_area, const SeamMoves& moves = {});
 
 /// with_pieces_divided() of a mirrored net: a piece across the plane is opened along it.
 CarriedSeams with_mirrored_pieces_divided(const SeamNet& net, const OpenEdges& open,

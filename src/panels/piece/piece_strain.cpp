@@ -10,8 +10,8 @@
 #include "core/neumaier_sum.h"
 #include "energy/hole_closing.h"
 #include "mesh/border_loops.h"
+#include "solve/gram_matrix.h"
 #include "solve/sparse_ldlt.h"
-#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -122,44 +122,43 @@ std::optional<Equations> equations_of(const PanelMesh& mesh, const PieceCorners&
 }
 
 /// M^-1/2 K^T.
-SparseMatrix weighed_stiffness(const PanelMesh& mesh, const PieceCorners& corners,
-                               std::span<const Index> triangles, const Equations& equations) {
+GramMatrix weighed_stiffness(const PanelMesh& mesh, const PieceCorners& corners,
+                             std::span<const Index> triangles, const Equations& equations) {
   std::vector<double> roots;
   for (const double mass : equations.masses)
     roots.push_back(mass > 0.0 ? 1.0 / std::sqrt(mass) : 0.0);
-  const auto fill = [&](const auto& add) {
-    // The weight of an edge in the row of v, and in those of the hole at v.
-    const auto add_edge = [&](Index v, Index w, double weight) {
-      const auto add_row = [&](Index row, double factor) {
-        add(v, row, factor * weight * roots[v]);
-        add(w, row, -factor * weight * roots[w]);
-      };
-      if (equations.row_of[v] != PanelEdge::none) return add_row(equations.row_of[v], 1.0);
-      if (equations.at_hole.empty() || equations.at_hole[v].hole == PanelEdge::none) return;
-      const Hole& hole = equations.holes[equations.at_hole[v].hole];
-      const Vec2 place = hole.polygon.places[equations.at_hole[v].corner];
-      add_row(hole.row, 1.0);
-      add_row(hole.row + 1, place.x);
-      add_row(hole.row + 2, place.y);
+  std::vector<GramMatrix::Entry> entries;
+  entries.reserve(12 * triangles.size());
+  // The weight of an edge in the row of v, and in those of the hole at v.
+  const auto add_edge = [&](Index v, Index w, double weight) {
+    const auto add_row = [&](Index row, double factor) {
+      entries.push_back({v, row, factor * weight * roots[v]});
+      entries.push_back({w, row, -factor * weight * roots[w]});
     };
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double weight = 0.5 * mesh.cotangents(triangles[k])[i];
-        const Index a = corners.corners(k)[(i + 1) % 3], b = corners.corners(k)[(i + 2) % 3];
-        add_edge(a, b, weight);
-        add_edge(b, a, weight);
-      }
-    }
-    for (const Hole& hole : equations.holes) {
-      for (std::size_t b = 0; b < hole.loop->size(); ++b) {
-        const Index v = (*hole.loop)[b];
-        add(v, hole.row + 1, -hole.polygon.normals[b].x * roots[v]);
-        add(v, hole.row + 2, -hole.polygon.normals[b].y * roots[v]);
-      }
-    }
+    if (equations.row_of[v] != PanelEdge::none) return add_row(equations.row_of[v], 1.0);
+    if (equations.at_hole.empty() || equations.at_hole[v].hole == PanelEdge::none) return;
+    const Hole& hole = equations.holes[equations.at_hole[v].hole];
+    const Vec2 place = hole.polygon.places[equations.at_hole[v].corner];
+    add_row(hole.row, 1.0);
+    add_row(hole.row + 1, place.x);
+    add_row(hole.row + 2, place.y);
   };
-  return sparse_matrix(corners.vertex_count(), static_cast<std::size_t>(equations.defects.size()),
-                       fill);
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = 0.5 * mesh.cotangents(triangles[k])[i];
+      const Index a = corners.corners(k)[(i + 1) % 3], b = corners.corners(k)[(i + 2) % 3];
+      add_edge(a, b, weight);
+      add_edge(b, a, weight);
+    }
+  }
+  for (const Hole& hole : equations.holes) {
+    for (std::size_t b = 0; b < hole.loop->size(); ++b) {
+      const Index v = (*hole.loop)[b];
+      entries.push_back({v, hole.row + 1, -hole.polygon.normals[b].x * roots[v]});
+      entries.push_back({v, hole.row + 2, -hole.polygon.normals[b].y * roots[v]});
+    }
+  }
+  return {corners.vertex_count(), static_cast<std::size_t>(equations.defects.size()), entries};
 }
 
 }  // namespace
@@ -175,9 +174,8 @@ std::optional<PiecePotential> piece_potential(const PanelMesh& mesh, const Piece
   PiecePotential found;
   found.phi.assign(corners.vertex_count(), 0.0);
   if (equations->defects.size() == 0) return found;
-  const SparseMatrix stiffness = weighed_stiffness(mesh, corners, triangles, *equations);
-  const SparseMatrix square = SparseMatrix(stiffness.transpose()) * stiffness;
-  const SparseMatrix lower = square.triangularView<Eigen::Lower>();
+  const GramMatrix stiffness = weighed_stiffness(mesh, corners, triangles, *equations);
+  const SparseMatrix lower = stiffness.lower();
   ThreadPool alone(1);
   SparseLdlt factor(lower);
   if (!factor.factor(lower, alone)) return std::nullopt;
@@ -186,10 +184,9 @@ std::optional<PiecePotential> piece_potential(const PanelMesh& mesh, const Piece
   for (Eigen::Index row = 0; row < x.size(); ++row)
     sum.add(equations->defects[row] * x[row]);
   found.energy = 3.0 / 8.0 * sum.value();
-  const Eigen::VectorXd phi = stiffness * x;
+  const std::vector<double> phi = stiffness.times(x);
   for (std::size_t v = 0; v < found.phi.size(); ++v) {
-    if (equations->masses[v] > 0.0)
-      found.phi[v] = phi[static_cast<Eigen::Index>(v)] / std::sqrt(equations->masses[v]);
+    if (equations->masses[v] > 0.0) found.phi[v] = phi[v] / std::sqrt(equations->masses[v]);
   }
   return found;
 }

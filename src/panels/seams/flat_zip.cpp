@@ -8,7 +8,6 @@
 
 #include "geometry/crosses_itself.h"
 #include "mesh/disjoint_sets.h"
-#include "panels/piece/laid_flat.h"
 #include "panels/seams/zip.h"
 
 namespace planish {
@@ -44,37 +43,65 @@ std::vector<std::array<Index, 2>> crossing_triangles(const LaidFlat& flat,
   return pairs;
 }
 
-/// Parts of a piece once a run is open.
-class Divided {
+/// A piece as the parts that it would be in if all runs were open. Those are few, so what a run
+/// divides it into is found soon.
+class PieceOfParts {
  public:
-  Divided(const SeamState& state, std::size_t piece, std::span<const Index> run)
-      : sets_(state.mesh().triangles().size()), piece_(state.pieces()[piece]) {
-    const PanelMesh& mesh = state.mesh();
-    for (const Index t : piece_.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index e = mesh.edge_of(t, i), other = mesh.edges()[e].other(t);
-        if (other == PanelEdge::none || state.open()[e] != 0) continue;
-        if (std::find(run.begin(), run.end(), e) == run.end()) sets_.join(t, other);
+  /// @param walls edges of the runs inside the piece
+  PieceOfParts(const SeamState& state, std::size_t piece, std::span<const Index> walls)
+      : part_(state.mesh().triangles().size(), PanelEdge::none) {
+    OpenEdges open = state.open();
+    for (const Index e : walls)
+      open[e] = 1;
+    for (const std::vector<Index>& part :
+         open_parts(state.mesh(), open, state.pieces()[piece].triangles)) {
+      double area = 0.0;
+      for (const Index t : part) {
+        part_[t] = static_cast<Index>(areas_.size());
+        area += state.mesh().area(t);
       }
+      areas_.push_back(area);
     }
-    for (const Index t : piece_.triangles)
-      areas_[sets_.first_of(t)] += mesh.area(t);
-  }
-  bool is_divided() const { return areas_.size() > 1; }
-  double least_area() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [first, area] : areas_)
-      least = std::min(least, area);
-    return least;
-  }
-  bool parts(const std::array<Index, 2>& pair) {
-    return sets_.first_of(pair[0]) != sets_.first_of(pair[1]);
+    for (const Index e : walls)
+      walls_.emplace_back(e, state.mesh().edges()[e].triangles);
+    std::sort(walls_.begin(), walls_.end());
+    walls_.erase(std::unique(walls_.begin(), walls_.end()), walls_.end());
   }
 
+  /// What is left together once a run is open.
+  class Divided {
+   public:
+    /// @param run increasing
+    Divided(const PieceOfParts& piece, std::span<const Index> run)
+        : piece_(piece), sets_(piece.areas_.size()) {
+      for (const auto& [e, sides] : piece.walls_) {
+        if (!std::binary_search(run.begin(), run.end(), e))
+          sets_.join(piece.part_[sides[0]], piece.part_[sides[1]]);
+      }
+      for (Index p = 0; p < piece.areas_.size(); ++p)
+        areas_[sets_.first_of(p)] += piece.areas_[p];
+    }
+    bool is_divided() const { return areas_.size() > 1; }
+    double least_area() const {
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [first, area] : areas_)
+        least = std::min(least, area);
+      return least;
+    }
+    bool parts(const std::array<Index, 2>& pair) {
+      return sets_.first_of(piece_.part_[pair[0]]) != sets_.first_of(piece_.part_[pair[1]]);
+    }
+
+   private:
+    const PieceOfParts& piece_;
+    DisjointSets<Index> sets_;
+    std::map<Index, double> areas_;
+  };
+
  private:
-  DisjointSets<Index> sets_;
-  const PanelPiece& piece_;
-  std::map<Index, double> areas_;
+  std::vector<Index> part_;  // by triangle of the mesh
+  std::vector<double> areas_;
+  std::vector<std::pair<Index, std::array<Index, 2>>> walls_;  // edges with their triangles
 };
 
 /// Whether an end of an edge of one run is one of the other.
@@ -92,13 +119,19 @@ bool meet(const PanelMesh& mesh, const std::vector<Index>& one, const std::vecto
 /// Looks for what divides a piece best.
 class DividingRun {
  public:
-  DividingRun(const SeamState& state, std::size_t piece, double piece_price,
-              std::span<const std::array<Index, 2>> crossings)
-      : state_(state), piece_(piece), piece_price_(piece_price), crossings_(crossings) {}
+  DividingRun(const SeamState& state, const std::vector<SeamChain>& chains, std::size_t piece,
+              double piece_price, std::span<const std::array<Index, 2>> crossings)
+      : state_(state),
+        piece_(piece),
+        runs_(closed_runs(state, chains, piece)),
+        plane_(closed_on_plane()),
+        parts_(state, piece, walls()),
+        piece_price_(piece_price),
+        crossings_(crossings) {}
 
-  std::vector<Index> find(const std::vector<SeamChain>& chains) {
+  std::vector<Index> find() {
     std::vector<std::vector<Index>> others;  // that do not divide it alone
-    for (const std::vector<Index>& run : closed_runs(state_, chains, piece_)) {
+    for (const std::vector<Index>& run : runs_) {
       if (!divides(run)) others.push_back(run);
     }
     // As around a place where three cells meet and nothing is open.
@@ -111,7 +144,7 @@ class DividingRun {
       }
     }
     // A piece across the plane may lie on its own mirror image.
-    if (const std::vector<Index> plane = closed_on_plane(); !plane.empty()) divides(plane);
+    if (!plane_.empty()) divides(plane_);
     return std::move(best_);
   }
 
@@ -127,17 +160,27 @@ class DividingRun {
     return found;
   }
 
+  /// Edges inside the piece of everything that may be opened.
+  std::vector<Index> walls() const {
+    std::vector<Index> walls = plane_;
+    for (const std::vector<Index>& run : runs_) {
+      const std::vector<Index> edges = state_.run_of(run).edges;
+      walls.insert(walls.end(), edges.begin(), edges.end());
+    }
+    return walls;
+  }
+
   bool divides(const std::vector<Index>& edges) {
     const std::vector<Index> run = state_.run_of(edges).edges;
-    Divided divided(state_, piece_, run);
+    std::vector<Index> sorted = run;
+    std::sort(sorted.begin(), sorted.end());
+    PieceOfParts::Divided divided(parts_, sorted);
     if (!divided.is_divided()) return false;
     if (divided.least_area() < k_least_part) return true;
     std::size_t undone = crossings_.empty() ? 1 : 0;
     for (const auto& pair : crossings_)
       undone += divided.parts(pair) ? 1 : 0;
-    double cost = piece_price_;
-    for (const Index e : run)
-      cost += state_.mesh().edges()[e].length;
+    const double cost = piece_price_ + length_of(state_.mesh(), run);
     if (undone > 0 && cost / static_cast<double>(undone) < least_) {
       least_ = cost / static_cast<double>(undone);
       best_ = run;
@@ -147,6 +190,9 @@ class DividingRun {
 
   const SeamState& state_;
   std::size_t piece_;
+  std::vector<std::vector<Index>> runs_;
+  std::vector<Index> plane_;
+  PieceOfParts parts_;
   double piece_price_;
   std::span<const std::array<Index, 2>> crossings_;
   double least_ = std::numeric_limits<double>::infinity();
@@ -155,15 +201,12 @@ class DividingRun {
 
 }  // namespace
 
-LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& chains,
-                       std::size_t piece, double piece_price) {
-  const std::vector<Index>& triangles = state.pieces()[piece].triangles;
-  const PieceCorners corners(state.mesh(), state.open(), triangles);
-  const auto flat = laid_flat(state.mesh(), corners, {}, {.threads = 1});
-  if (flat && !flat->pattern.overlaps) return {};
+std::vector<Index> dividing_run(const SeamState& state, const std::vector<SeamChain>& chains,
+                                std::size_t piece, double piece_price,
+                                const std::optional<LaidFlat>& flat) {
   std::vector<std::array<Index, 2>> crossings;
-  if (flat) crossings = crossing_triangles(*flat, triangles);
-  return {true, DividingRun(state, piece, piece_price, crossings).find(chains)};
+  if (flat) crossings = crossing_triangles(*flat, state.pieces()[piece].triangles);
+  return DividingRun(state, chains, piece, piece_price, crossings).find();
 }
 
 FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
@@ -176,9 +219,11 @@ FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, dou
     bool laps = false, is_stuck = true;
     for (std::size_t p = 0; p < state.pieces().size(); ++p) {
       if (state.pieces()[p].triangles.empty() || state.is_image(p)) continue;
-      const LappingRun lapping = lapping_run(state, chains, p, prices.piece);
-      laps = laps || lapping.laps;
-      for (const Index e : lapping.run) {
+      const PieceCorners corners(state.mesh(), state.open(), state.pieces()[p].triangles);
+      const auto flat = laid_flat(state.mesh(), corners, {}, {.threads = 1});
+      if (flat && !flat->pattern.overlaps) continue;
+      laps = true;
+      for (const Index e : dividing_run(state, chains, p, prices.piece, flat)) {
         open[e] = held[e] = 1;
         if (state.mesh().is_mirrored()) open[state.mesh().image_of_edge(e)] = 1;
         is_stuck = false;

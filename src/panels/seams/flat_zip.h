@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <planish/core/context.h>
 
 #include "core/thread_pool.h"
+#include "panels/piece/laid_flat.h"
 #include "panels/seams/seam_chains.h"
 #include "panels/seams/seam_state.h"
 
@@ -14,14 +16,10 @@ namespace planish {
 /// sides which cross come to lie in different parts, the one that is shortest for the crossings
 /// that it undoes; of a piece without a pattern the shortest. Nothing where there is none.
 /// @param piece_price what a piece more costs
-/// @return nothing too where the piece lies flat; `laps` says which
-/// @throws Cancelled
-struct LappingRun {
-  bool laps = false;
-  std::vector<Index> run;
-};
-LappingRun lapping_run(const SeamState& state, const std::vector<SeamChain>& chains,
-                       std::size_t piece, double piece_price);
+/// @param flat its pattern
+std::vector<Index> dividing_run(const SeamState& state, const std::vector<SeamChain>& chains,
+                                std::size_t piece, double piece_price,
+                                const std::optional<LaidFlat>& flat);
 
 /// What zipped_flat() found.
 struct FlatState {

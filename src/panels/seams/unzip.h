@@ -16,6 +16,6 @@ namespace planish {
 /// @param step of the root of the area
 /// @return whether the limit is kept; else nothing is left to open
 bool unzip(SeamState& state, const std::vector<SeamChain>& chains, std::size_t piece, double limit,
-           double step, ThreadPool& pool);
+           double step);
 
 }  // namespace planish

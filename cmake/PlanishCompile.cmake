@@ -39,7 +39,7 @@ function(planish_compile target)
             -ffp-contract=off
             -fno-math-errno
             -fno-trapping-math
-            $<$<NOT:$<PLATFORM_ID:Windows>>:-fno-semantic-interposition>
+            $<$<NOT:$<PLATFORM_ID:Windows,Emscripten>>:-fno-semantic-interposition>
             -Wall
             -Wextra
             -Wpedantic

@@ -59,6 +59,11 @@ python3-matplotlib  python matplotlib
 python3-nbclient    python nbclient
 python3-venv        python ensurepip
 "
+# For the program in the browser.
+web_packages="
+emscripten          command em++
+dpkg-dev            command dpkg-source
+"
 
 paper_packages="
 python3             command python3

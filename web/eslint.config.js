@@ -5,8 +5,8 @@ const require = createRequire(new URL('../build/npm/web/none.js', import.meta.ur
 const eslint = require('@eslint/js');
 const globals = require('globals');
 
-const inNode = ['web/*.js', 'web/*.mjs', 'tests/**/*.mjs'];
-const inBrowser = ['web/report/*.js', 'web/viewer/*.js', 'tests/browser/*.mjs'];
+const inNode = ['web/*.js', 'web/*.mjs', 'tests/**/*.mjs', 'bindings/wasm/tools/*.mjs'];
+const inBrowser = ['web/app/*.js', 'web/report/*.js', 'web/viewer/*.js', 'tests/browser/*.mjs'];
 
 export default [
   eslint.configs.recommended,
@@ -29,7 +29,7 @@ export default [
     rules: {
       'no-restricted-imports': [
         'error',
-        { patterns: [{ group: ['**/report/**'], message: 'The viewer knows no page.' }] },
+        { patterns: [{ group: ['**/report/**', '**/app/**'], message: 'The viewer knows no page.' }] },
       ],
     },
   },

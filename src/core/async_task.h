@@ -4,11 +4,16 @@
 #include <system_error>
 #include <type_traits>
 
+#include "platform/processors.h"
+
 namespace planish {
 
-/// Starts a task on a thread of its own; an invalid future where the system has no thread to give.
+/// Starts a task on a thread of its own; an invalid future where the system has no thread to give,
+/// or one processor: where threads are missing altogether, as in a browser, std::async() of libc++
+/// would wait for ever.
 template <class Task>
 std::future<std::invoke_result_t<Task>> run_async(const Task& task) {
+  if (usable_processors() < 2) return {};
   try {
     return std::async(std::launch::async, task);
   } catch (const std::system_error&) {

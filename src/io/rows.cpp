@@ -102,7 +102,7 @@ Index RowCursor::vertex(const Field& field, std::optional<std::size_t> vertex_co
     fail(ErrorCode::bad_number,
          in_quotes(field_text(field)) + " is not the number of a vertex, counted from 0");
   }
-  if (*number >= vertex_count.value_or(most + 1)) {
+  if (vertex_count && *number >= *vertex_count) {
     fail(ErrorCode::index_out_of_range, "there is no vertex " + field_text(field).substr(0, 20) +
                                             ": the mesh has " + std::to_string(*vertex_count) +
                                             " vertices, counted from 0");

@@ -178,7 +178,8 @@ std::vector<Index> nested_dissection(std::span<const Vec3> positions, const Grap
   const auto hubs = std::stable_partition(vertices.begin(), vertices.end(), [&](Index v) {
     return graph.of(v).size() <= k_hub * mean;
   });
-  Dissection(positions, graph).order({vertices.begin(), hubs});
+  const auto usual = static_cast<std::size_t>(hubs - vertices.begin());
+  Dissection(positions, graph).order(std::span(vertices).first(usual));
   return vertices;
 }
 

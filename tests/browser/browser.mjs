@@ -62,7 +62,7 @@ export async function openPage(browser, url, options = {}) {
     dialog.dismiss();
   });
   page.on('request', (request) => {
-    if (request.url() !== url && !request.url().startsWith('data:')) requests.push(request.url());
+    if (request.url() !== url && !/^(data|blob):/.test(request.url())) requests.push(request.url());
   });
   await page.goto(url);
   return { page, context, complaints, requests };

@@ -27,7 +27,7 @@ const cellSize = 64; // pixels of a number in the picture of all
  * A square of two triangles.
  * @param {number} left its other sides are at 1, -1 and 1
  */
-function square(left) {
+export function squareOf(left) {
   const geometry = new InstancedBufferGeometry();
   const corners = Float32Array.of(left, -1, 0, 1, -1, 0, 1, 1, 0, left, 1, 0);
   geometry.setAttribute('position', new BufferAttribute(corners, 3));
@@ -142,8 +142,8 @@ export class NumberedLines {
     ofLines.push(['cell', floats(lines.flatMap((_, i) => [i % this.columns, Math.floor(i / this.columns)]), 2)]);
     /** Of each state the lines and their numbers. */
     this.parts = states.map(() => [
-      drawable(square(0), ofParts, this.pairs.length, this.stroke, 1),
-      drawable(square(-1), ofLines, lines.length, this.disc, 2),
+      drawable(squareOf(0), ofParts, this.pairs.length, this.stroke, 1),
+      drawable(squareOf(-1), ofLines, lines.length, this.disc, 2),
     ]);
     states.forEach((positions, state) => this.place(state, positions));
   }

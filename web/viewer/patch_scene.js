@@ -1,30 +1,18 @@
 // A patch in several states, two of them drawn with one camera: side by side, left and right of a
 // split, or one over the other.
 import {
-  BufferAttribute,
-  BufferGeometry,
   DataTexture,
-  DoubleSide,
-  LineSegments,
   LinearFilter,
   Matrix4,
-  Mesh,
   OrthographicCamera,
-  Scene,
-  ShaderMaterial,
   Vector3,
   WebGLRenderer,
 } from 'three';
 
-import { NumberedLines } from './numbered_lines.js';
-import { attributesOf, borderOf, framing, geometryOf } from './patch_geometry.js';
-import {
-  contourFragmentShader,
-  fragmentShader,
-  ghostFragmentShader,
-  ghostVertexShader,
-  vertexShader,
-} from './shaders.js';
+import { PatchBody } from './patch_body.js';
+import { framing } from './patch_geometry.js';
+
+/** @typedef {import('./drawn_lines.js').DrawnLines} DrawnLines */
 
 /**
  * Three unit vectors at right angles, in the space of the model.
@@ -148,34 +136,35 @@ export class PatchScene {
       apart: { value: 0 },
       chosen: { value: -1 },
     };
-    /** @type {Scene | null} the first state as a ghost, made when it is first needed */
-    this.ghost = null;
-    this.triangles = patch.triangles;
-    const { pieces } = patch;
-    this.pieces = pieces;
-    /** @type {Record<string, string>} */
-    this.defines = pieces ? { PIECES: '' } : {};
-    this.material = new ShaderMaterial({
-      vertexShader,
-      fragmentShader,
-      side: DoubleSide,
-      uniforms: this.uniforms,
-      defines: this.defines,
-    });
-    const index = new BufferAttribute(patch.triangles, 1);
-    const shared = pieces ? attributesOf(pieces) : [];
-    this.geometries = patch.positions.map((positions) => geometryOf(positions, index, shared));
-    const { apart, chosen } = this.uniforms;
-    this.lines = pieces?.lines.length ? new NumberedLines(pieces, patch.positions, { apart, chosen }) : null;
-    this.scenes = this.geometries.map((geometry, state) => {
-      const mesh = new Mesh(geometry, this.material);
-      mesh.frustumCulled = false;
-      return new Scene().add(mesh, ...(this.lines?.parts[state] ?? []));
-    });
+    this.body = new PatchBody(patch, this.uniforms);
+    /** Lines that are drawn over the patch, if any. @type {DrawnLines | null} */
+    this.drawn = null;
     this.frame = this.framed();
     this.target = this.frame.middle.clone();
     this.zoom = 1;
     this.reset();
+  }
+
+  /**
+   * Shows another patch of as many states. What is in the middle of the picture stays there.
+   * @param {Patch} patch its `view`, `shown` and `maps` are not looked at
+   */
+  replace(patch) {
+    this.body.dispose();
+    this.body = new PatchBody(patch, this.uniforms);
+    this.frame = this.framed();
+  }
+
+  get geometries() {
+    return this.body.geometries;
+  }
+
+  get lines() {
+    return this.body.lines;
+  }
+
+  get pieces() {
+    return this.body.pieces;
   }
 
   framed() {
@@ -392,40 +381,12 @@ export class PatchScene {
       this.lines?.port.set(port.width, port.height);
       renderer.setViewport(port.left, this.height - port.top - port.height, port.width, port.height);
       renderer.setScissor(clip.left, this.height - clip.top - clip.height, clip.width, clip.height);
-      renderer.render(this.scenes[state], camera);
+      renderer.render(this.body.scenes[state], camera);
+      if (!this.drawn) continue;
+      this.drawn.port.set(port.width, port.height);
+      renderer.render(this.drawn.scene, camera);
     }
-    if (this.arrangement === 'overlay' && !this.isSingle) renderer.render(this.ghostScene(), camera);
-  }
-
-  // The first state, seen through, with its contour.
-  ghostScene() {
-    if (this.ghost) return this.ghost;
-    const skin = new ShaderMaterial({
-      vertexShader: ghostVertexShader,
-      fragmentShader: ghostFragmentShader,
-      uniforms: { apart: this.uniforms.apart },
-      defines: this.defines,
-      side: DoubleSide,
-      transparent: true,
-      depthWrite: false,
-      polygonOffset: true, // where both are the same the result is seen
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 4,
-    });
-    const contour = new BufferGeometry();
-    contour.attributes = { ...this.geometries[0].attributes };
-    contour.setIndex(borderOf(this.triangles));
-    const line = new ShaderMaterial({
-      vertexShader: ghostVertexShader,
-      fragmentShader: contourFragmentShader,
-      uniforms: { apart: this.uniforms.apart },
-      defines: this.defines,
-      depthTest: false,
-    });
-    const parts = [new Mesh(this.geometries[0], skin), new LineSegments(contour, line)];
-    for (const part of parts) part.frustumCulled = false;
-    this.ghost = new Scene().add(...parts);
-    return this.ghost;
+    if (this.arrangement === 'overlay' && !this.isSingle) renderer.render(this.body.ghostScene(), camera);
   }
 
   /**
@@ -445,13 +406,21 @@ export class PatchScene {
    * towards the eye.
    * @param {Pane} pane
    */
-  projected({ state, port }) {
+  projected(pane) {
+    return this.project(this.places(pane.state), pane);
+  }
+
+  /**
+   * Where points are in a pane, as `projected()` has it.
+   * @param {Float32Array} positions x, y, z of each, model units
+   * @param {Pane} pane
+   */
+  project(positions, { port }) {
     this.place(port);
     const matrix = new Matrix4().multiplyMatrices(
       this.camera.projectionMatrix,
       this.camera.matrixWorldInverse,
     );
-    const positions = this.places(state);
     const places = new Float32Array(positions.length);
     const point = new Vector3();
     for (let i = 0; i < positions.length; i += 3) {
@@ -465,15 +434,9 @@ export class PatchScene {
 
   /** Frees what the scene has on the graphics card; it cannot be drawn again. */
   dispose() {
-    for (const geometry of this.geometries) geometry.dispose();
-    this.lines?.dispose();
-    this.ghost?.traverse((part) => {
-      if (!(part instanceof Mesh || part instanceof LineSegments)) return;
-      part.geometry.dispose();
-      part.material.dispose();
-    });
+    this.body.dispose();
+    this.drawn?.dispose();
     for (const texture of this.textures.values()) texture.dispose();
-    this.material.dispose();
     this.renderer.dispose();
     // Browsers give a page some 16 contexts and free those of dropped canvases late.
     this.renderer.forceContextLoss();

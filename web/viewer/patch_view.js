@@ -3,7 +3,7 @@
 // --card, --ink and --blue.
 import { make } from './dom.js';
 import { PatchScene } from './patch_scene.js';
-import { pick } from './picking.js';
+import { hitAt, pick } from './picking.js';
 import { Turning } from './turning.js';
 
 /** @typedef {import('./patch_scene.js').Arrangement} Arrangement */
@@ -16,7 +16,7 @@ import { Turning } from './turning.js';
  * What a view calls.
  * @typedef {object} VertexListener
  * @property {(vertex: number) => void} hovered the vertex under the pointer, or -1
- * @property {(vertex: number) => void} clicked the vertex that was clicked, or -1
+ * @property {(vertex: number, event: MouseEvent) => void} clicked the vertex that was clicked, or -1
  */
 
 /**
@@ -49,6 +49,8 @@ export class PatchView {
      */
     this.kept = new Map();
     this.waiting = 0;
+    /** Called whenever the picture was drawn anew. */
+    this.painted = () => {};
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', `${what} in space. Arrow keys turn it, plus and minus zoom, 0 resets.`);
@@ -77,7 +79,7 @@ export class PatchView {
       canvas,
       this.scene,
       () => this.moved(),
-      (event) => listener.clicked(this.vertexAt(event)),
+      (event) => listener.clicked(this.vertexAt(event), event),
     );
     this.listening = new AbortController();
     this.listen(listener);
@@ -177,6 +179,18 @@ export class PatchView {
     this.moved();
   }
 
+  /**
+   * Shows another patch of as many states; what is in the middle of the picture stays there. Colours are to be given
+   * anew.
+   * @param {Patch} patch its `view`, `shown` and `maps` are not looked at
+   */
+  replace(patch) {
+    this.triangles = patch.triangles;
+    this.marked = -1;
+    this.scene.replace(patch);
+    this.moved();
+  }
+
   /** @param {Coloring} coloring */
   color(coloring) {
     this.scene.color(coloring);
@@ -213,6 +227,24 @@ export class PatchView {
     const x = event.clientX - box.left;
     const y = event.clientY - box.top;
     return pick(this.places(this.scene.paneAt(x, y).side), this.triangles, x, y);
+  }
+
+  /**
+   * What is seen at a place of the canvas.
+   * @param {number} x pixels from the left
+   * @param {number} y pixels from the top
+   * @returns {{point: number[], depth: number} | null} on the surface, model units; more depth is nearer
+   */
+  placeAt(x, y) {
+    const { side, state } = this.scene.paneAt(x, y);
+    const hit = hitAt(this.places(side), this.triangles, x, y);
+    if (!hit) return null;
+    const positions = this.scene.positions(state);
+    const corners = [0, 1, 2].map((k) => 3 * this.triangles[hit.triangle + k]);
+    const point = [0, 1, 2].map((axis) =>
+      corners.reduce((sum, corner, k) => sum + hit.shares[k] * positions[corner + axis], 0),
+    );
+    return { point, depth: hit.depth };
   }
 
   /**
@@ -293,6 +325,7 @@ export class PatchView {
     slider.setAttribute('aria-valuetext', `${slider.value} % before`);
     this.scene.draw();
     this.placeSpot();
+    this.painted();
     root.dataset.ready ??= String(Math.round(performance.now()));
   }
 

@@ -24,7 +24,7 @@ export class PatternView {
     const { signal } = this.listening;
     svg.addEventListener('pointermove', (event) => listener.hovered(this.vertexAt(event)), { signal });
     svg.addEventListener('pointerleave', () => listener.hovered(-1), { signal });
-    svg.addEventListener('click', (event) => listener.clicked(this.vertexAt(event)), { signal });
+    svg.addEventListener('click', (event) => listener.clicked(this.vertexAt(event), event), { signal });
   }
 
   /**

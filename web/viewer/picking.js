@@ -1,15 +1,24 @@
 // Which vertex is meant by a place in a picture.
 
 /**
- * The corner nearest to a place of the foremost triangle there, or -1.
+ * The foremost triangle at a place in the picture.
+ * @typedef {object} Hit
+ * @property {number} triangle where its three vertices begin
+ * @property {number[]} shares barycentric, of the place on it
+ * @property {number} depth more is nearer
+ */
+
+/**
+ * What is seen at a place, or null.
  * @param {Float32Array} places x, y, depth (more is nearer) of every vertex
  * @param {ArrayLike<number>} triangles three vertices each
  * @param {number} x in the unit of the places
  * @param {number} y
+ * @returns {Hit | null}
  */
-export function pick(places, triangles, x, y) {
-  let best = -1;
-  let nearest = -Infinity;
+export function hitAt(places, triangles, x, y) {
+  /** @type {Hit | null} */
+  let hit = null;
   for (let t = 0; t < triangles.length; t += 3) {
     const a = 3 * triangles[t];
     const b = 3 * triangles[t + 1];
@@ -21,11 +30,23 @@ export function pick(places, triangles, x, y) {
     const area = u + v + w;
     if (area === 0) continue;
     const depth = (u * places[a + 2] + v * places[b + 2] + w * places[c + 2]) / area;
-    if (depth <= nearest) continue;
-    nearest = depth;
-    best = [a, b, c].reduce((p, q) => (apart(places, q, x, y) < apart(places, p, x, y) ? q : p)) / 3;
+    if (!hit || depth > hit.depth) hit = { triangle: t, shares: [u / area, v / area, w / area], depth };
   }
-  return best;
+  return hit;
+}
+
+/**
+ * The corner nearest to a place of the foremost triangle there, or -1.
+ * @param {Float32Array} places x, y, depth (more is nearer) of every vertex
+ * @param {ArrayLike<number>} triangles three vertices each
+ * @param {number} x in the unit of the places
+ * @param {number} y
+ */
+export function pick(places, triangles, x, y) {
+  const hit = hitAt(places, triangles, x, y);
+  if (!hit) return -1;
+  const corners = [0, 1, 2].map((k) => 3 * triangles[hit.triangle + k]);
+  return corners.reduce((p, q) => (apart(places, q, x, y) < apart(places, p, x, y) ? q : p)) / 3;
 }
 
 /**

@@ -48,8 +48,7 @@ class LineDivider {
     while (i < points.size()) {
       const std::size_t end = end_of_run(points, i);
       if (end > i) {
-        add_run({points.begin() + static_cast<std::ptrdiff_t>(i),
-                 points.begin() + static_cast<std::ptrdiff_t>(end)});
+        add_run(std::span(points).subspan(i, end - i));
         i = end;
       } else {
         add_point(points[i++]);

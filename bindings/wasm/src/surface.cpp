@@ -1,0 +1,75 @@
+#include "surface.h"
+
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/io/model.h>
+#include <planish/mesh/geodesic.h>
+#include <planish/mesh/surface_line.h>
+#include <planish/unfold/strain.h>
+
+namespace planish::wasm {
+
+namespace {
+
+Vec3 point_at(std::span<const double> places, std::size_t k) {
+  return {places[3 * k], places[3 * k + 1], places[3 * k + 2]};
+}
+
+}  // namespace
+
+std::vector<float> coordinates_of(const TriMesh& mesh) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * mesh.positions.size());
+  for (const Vec3& p : mesh.positions) {
+    for (const double x : {p.x, p.y, p.z})
+      numbers.push_back(static_cast<float>(x));
+  }
+  return numbers;
+}
+
+std::vector<Index> corners_of(const TriMesh& mesh) {
+  std::vector<Index> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
+Surface::Surface(const std::string& path) {
+  ReadResult file = read_mesh(path);
+  if (file.unit) unit_ = to_string(file.unit->unit);
+  Model model = prepare_model(std::move(file), {}, path);
+  pieces_ = model.pieces.size();
+  patch_ = Patch(divided(model));
+}
+
+std::vector<double> Surface::line(std::span<const double> places) const {
+  const std::size_t count = places.size() / 3;
+  if (count < 2) return {};
+  SurfaceLine line = {nearest_place(patch_, point_at(places, 0))};
+  for (std::size_t k = 1; k < count; ++k) {
+    const SurfacePoint next = nearest_place(patch_, point_at(places, k));
+    const SurfaceLine part = geodesic(patch_, line.back(), next).points;
+    line.insert(line.end(), part.begin() + 1, part.end());
+  }
+  std::vector<double> points;
+  for (const SurfacePoint& place : line) {
+    const Vec3 p = position_of(place, patch_.positions());
+    points.insert(points.end(), {p.x, p.y, p.z});
+  }
+  return points;
+}
+
+LaidPiece laid_piece(const std::string& surface, const std::string& pattern) {
+  LaidPiece piece{read_mesh(surface).mesh, read_mesh(pattern).mesh, {}};
+  check_same_triangles(piece.surface, piece.pattern);
+  std::vector<Vec2> flat;
+  for (const Vec3& p : piece.pattern.positions)
+    flat.push_back({p.x, p.y});
+  for (const double strain : signed_strains(principal_stretches(piece.surface, flat)))
+    piece.strain.push_back(static_cast<float>(strain));
+  return piece;
+}
+
+}  // namespace planish::wasm

@@ -1,0 +1,158 @@
+// Arithmetic on meshes, which needs no browser.
+
+/** @typedef {import('./engine.js').LaidPiece} LaidPiece */
+
+/**
+ * The mean strain around each vertex.
+ * @param {Uint32Array} triangles
+ * @param {Float32Array} strain of each triangle
+ * @param {number} count of vertices
+ */
+export function vertexStrain(triangles, strain, count) {
+  const sums = new Float32Array(count);
+  const around = new Uint16Array(count);
+  triangles.forEach((vertex, i) => {
+    sums[vertex] += strain[Math.floor(i / 3)];
+    ++around[vertex];
+  });
+  return sums.map((sum, vertex) => sum / Math.max(1, around[vertex]));
+}
+
+/**
+ * Least and most of each coordinate.
+ * @param {Float32Array} positions x, y, z of each
+ */
+export function boxOf(positions) {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  return { low, high };
+}
+
+/**
+ * The strain beyond which colours end: 1, 2 or 5 times a power of ten, near what 95 % of the triangles keep.
+ * @param {Float32Array[]} strains of the triangles of each piece
+ */
+export function colorLimit(strains) {
+  const sizes = strains.flatMap((some) => Array.from(some, Math.abs)).sort((a, b) => a - b);
+  const most = Math.max(0.001, sizes[Math.floor(0.95 * (sizes.length - 1))] ?? 0);
+  const power = 10 ** Math.floor(Math.log10(most) + 1e-9);
+  return [1, 2, 5, 10].map((mark) => mark * power).find((mark) => mark >= most * 0.999) ?? 10 * power;
+}
+
+/**
+ * All pieces as one mesh.
+ * @param {LaidPiece[]} pieces
+ */
+export function joined(pieces) {
+  const vertices = pieces.map(({ positions }) => positions.length / 3);
+  const count = vertices.reduce((sum, some) => sum + some, 0);
+  const positions = new Float32Array(3 * count);
+  const flat = new Float32Array(3 * count);
+  const strain = new Float32Array(count);
+  const of = new Uint16Array(count);
+  const starts = [];
+  const corners = [];
+  let start = 0;
+  for (const [k, piece] of pieces.entries()) {
+    positions.set(piece.positions, 3 * start);
+    flat.set(piece.flat, 3 * start);
+    strain.set(vertexStrain(piece.triangles, piece.strain, vertices[k]), start);
+    of.fill(k, start, start + vertices[k]);
+    for (const vertex of piece.triangles) corners.push(start + vertex);
+    starts.push(start);
+    start += vertices[k];
+  }
+  return { positions, flat, strain, of, starts, triangles: Uint32Array.from(corners), ways: waysApart(positions, of) };
+}
+
+/**
+ * Where pieces go when they are moved apart: away from the middle of all.
+ * @param {Float32Array} positions
+ * @param {Uint16Array} of the piece of each vertex
+ */
+function waysApart(positions, of) {
+  const pieces = of.reduce((most, piece) => Math.max(most, piece + 1), 0);
+  const sums = Array.from({ length: pieces }, () => [0, 0, 0, 0]);
+  of.forEach((piece, vertex) => {
+    for (let k = 0; k < 3; ++k) sums[piece][k] += positions[3 * vertex + k];
+    ++sums[piece][3];
+  });
+  const middles = sums.map(([x, y, z, count]) => [x, y, z].map((sum) => sum / Math.max(1, count)));
+  const middle = [0, 1, 2].map((k) => middles.reduce((sum, one) => sum + one[k], 0) / Math.max(1, pieces));
+  return Float32Array.from(middles.flatMap((one) => one.map((x, k) => x - middle[k])));
+}
+
+/**
+ * Places for pieces side by side in rows, the highest first.
+ * @param {{width: number, height: number}[]} sizes
+ * @param {number} gap between them
+ */
+export function rowsOf(sizes, gap) {
+  const area = sizes.reduce((sum, { width, height }) => sum + (width + gap) * (height + gap), 0);
+  const widest = sizes.reduce((most, { width }) => Math.max(most, width), 0);
+  const room = Math.max(widest, 1.25 * Math.sqrt(area));
+  const order = sizes.map((_, i) => i).sort((a, b) => sizes[b].height - sizes[a].height || a - b);
+  const places = sizes.map(() => ({ x: 0, y: 0 }));
+  let [x, y, row, width] = [0, 0, 0, 0];
+  for (const i of order) {
+    if (x > 0 && x + sizes[i].width > room) {
+      y += row + gap;
+      x = 0;
+      row = 0;
+    }
+    places[i] = { x, y };
+    x += sizes[i].width + gap;
+    row = Math.max(row, sizes[i].height);
+    width = Math.max(width, x - gap);
+  }
+  return { places, width, height: y + row };
+}
+
+const things = /** @type {[number, string][]} */ ([
+  [12, 'a fingernail or less'],
+  [35, 'as a coin'],
+  [100, 'as a matchbox'],
+  [220, 'as a hand'],
+  [400, 'as a ruler'],
+  [800, 'as an arm'],
+  [1300, 'as a table'],
+  [2500, 'as a person'],
+  [6000, 'as a car'],
+  [15000, 'as a bus'],
+  [Infinity, 'as a house'],
+]);
+
+const millimetres = new Map([
+  ['mm', 1],
+  ['cm', 10],
+  ['dm', 100],
+  ['m', 1000],
+  ['in', 25.4],
+]);
+
+/**
+ * How large a model is in a unit.
+ * @param {Float32Array} positions
+ * @param {string} unit
+ */
+export function sizeText(positions, unit) {
+  const { low, high } = boxOf(positions);
+  const sides = high.map((x, k) => (x - low[k]) * (millimetres.get(unit) ?? 1));
+  const largest = Math.max(...sides);
+  const [scale, name] = largest >= 2000 ? [1000, 'm'] : largest >= 100 ? [10, 'cm'] : [1, 'mm'];
+  const text = sides.map((side) => Number((side / scale).toPrecision(2))).join(' × ');
+  return { size: `${text} ${name}`, words: things.find(([most]) => largest < most)?.[1] ?? '', largest };
+}
+
+/**
+ * The unit in which a model is nearest to the size of a garment, a bag or a hat.
+ * @param {Float32Array} positions
+ */
+export function likelyUnit(positions) {
+  const far = (/** @type {string} */ unit) => Math.abs(Math.log(sizeText(positions, unit).largest / 500));
+  return ['mm', 'cm', 'dm', 'm'].reduce((best, unit) => (far(unit) < far(best) ? unit : best));
+}

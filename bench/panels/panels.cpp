@@ -143,6 +143,7 @@ int main(int count, char** words) {
   PanelOptions options;
   options.moves = std::strtoul(words[1], nullptr, 10);
   options.limits.rms = std::strtod(words[2], nullptr);
+  options.match_seams = false;  // as textures are measured, each piece by itself
   print_head();
   for (std::size_t i = 3; i < given.size(); ++i)
     divide(given[i], options, given[2] == "-" ? "" : given[2]);

@@ -88,7 +88,7 @@ UvMap uv_map_of(const PanelSuggestion& found, const StrainLimits& limits) {
   Vec2 shift{};
   for (const SuggestedPanel& panel : found.panels) {
     const PieceCorners corners(mesh, open, panel.triangles);
-    const auto flat = laid_flat(mesh, corners, limits, {});
+    const auto flat = laid_flat(mesh, corners, {limits}, {});
     if (!flat) throw Error(ErrorCode::unfold_failed, "a panel has no pattern");
     for (std::size_t k = 0; k < panel.triangles.size(); ++k) {
       for (std::size_t i = 0; i < 3; ++i)

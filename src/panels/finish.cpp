@@ -63,7 +63,7 @@ class Finishing {
   /// A piece and its pattern.
   struct Laid {
     FlatPiece flat;
-    std::vector<SeamSide> sides = {};    ///< as they are if seams need not match
+    std::vector<FlatSide> sides = {};    ///< as they are if seams need not match
     std::vector<EdgeLength> seams = {};  ///< that the pattern was given
     std::optional<LaidFlat> lapping = {};
   };
@@ -117,7 +117,7 @@ class Finishing {
     std::vector<int> sides(sums.size(), 0);
     for (std::size_t p = 0; p < laid_.size(); ++p) {
       if (state_.pieces()[p].triangles.empty()) continue;
-      for (const SeamSide& side : laid_[p].sides) {
+      for (const FlatSide& side : laid_[p].sides) {
         std::array<Index, 2> edges = {side.edge, side.edge};
         if (net_->mesh.is_mirrored()) edges[1] = net_->mesh.image_of_edge(side.edge);
         for (const Index e : edges) {
@@ -141,13 +141,13 @@ class Finishing {
     bool changed = false;
     std::vector<std::vector<EdgeLength>> seams(laid_.size());
     for (std::size_t p = 0; p < laid_.size(); ++p) {
-      for (const SeamSide& side : laid_[p].sides)
+      for (const FlatSide& side : laid_[p].sides)
         seams[p].push_back({side.ends, lengths[side.edge]});
       changed = changed || seams[p] != laid_[p].seams;
     }
     for_pieces(0, [&](std::size_t p) {
       if (state_.pieces()[p].triangles.empty() || seams[p] == laid_[p].seams) return;
-      std::vector<SeamSide> sides = std::move(laid_[p].sides);
+      std::vector<FlatSide> sides = std::move(laid_[p].sides);
       laid_[p] = laid(state_.pieces()[p], std::move(seams[p]));
       laid_[p].sides = std::move(sides);
     });

@@ -26,7 +26,7 @@ namespace planish::cli {
 namespace {
 
 constexpr Range k_moves = {1.0, 1000.0};
-constexpr std::size_t k_usual_moves = 4;
+constexpr std::size_t k_usual_moves = 6;
 
 constexpr std::array k_preferences = {PanelPreference::few, PanelPreference::shortest,
                                       PanelPreference::simple};

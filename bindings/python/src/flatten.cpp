@@ -12,6 +12,7 @@
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
 #include "flags/limit_flags.h"
+#include "flags/unfold_flags.h"
 #include "flags/units.h"
 #include "flatten/verdict.h"
 #include "job.h"

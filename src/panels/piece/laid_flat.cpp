@@ -53,10 +53,10 @@ std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& cor
   }
 }
 
-std::vector<SeamSide> seam_sides(const PanelMesh& mesh, const OpenEdges& open,
+std::vector<FlatSide> seam_sides(const PanelMesh& mesh, const OpenEdges& open,
                                  const PieceCorners& corners, std::span<const Index> triangles,
                                  const Pattern& pattern) {
-  std::vector<SeamSide> sides;
+  std::vector<FlatSide> sides;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index e = mesh.edge_of(triangles[k], i);

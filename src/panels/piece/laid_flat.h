@@ -37,14 +37,14 @@ std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& cor
                                   std::span<const EdgeLength> seams = {});
 
 /// A side of an open edge of the mesh, at the border of a piece.
-struct SeamSide {
+struct FlatSide {
   Index edge;                 ///< of the mesh
   std::array<Index, 2> ends;  ///< vertices of the piece
   double length;              ///< in its pattern, model units
 };
 
 /// @param triangles of the piece, in the order of its corners
-std::vector<SeamSide> seam_sides(const PanelMesh& mesh, const OpenEdges& open,
+std::vector<FlatSide> seam_sides(const PanelMesh& mesh, const OpenEdges& open,
                                  const PieceCorners& corners, std::span<const Index> triangles,
                                  const Pattern& pattern);
 

@@ -96,7 +96,7 @@ def evolve(
             lines
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -248,7 +248,7 @@ def evolve_sweeps(
             lines
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
         sweeps: at most so many sweeps (default: what each method usually takes)

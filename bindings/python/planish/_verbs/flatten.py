@@ -149,7 +149,7 @@ def flatten(
             lines
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)

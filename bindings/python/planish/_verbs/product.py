@@ -141,7 +141,7 @@ def flatten_product(
             lines
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
             together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between

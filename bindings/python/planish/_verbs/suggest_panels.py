@@ -26,6 +26,7 @@ def suggest_panels(
     prefer_cuts: Optional[str] = None,
     effort: Optional[int] = None,
     symmetric: Optional[str] = None,
+    match_seams: Optional[bool] = None,
     threads: Optional[int] = None,
 ) -> _core.PanelsResult:
     """Divides a whole product, closed or open, into few panels with short seams.
@@ -41,9 +42,10 @@ def suggest_panels(
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         symmetric: make left equal right: auto where the product is symmetric, "x=0" names the plane, no (default
             auto)
+        match_seams: keep the limit with both sides of each seam equally long, as the pieces of flatten --cut auto do
         threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())

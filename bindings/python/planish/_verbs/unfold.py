@@ -87,7 +87,7 @@ def unfold(
             lines
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 4); more are never worse
+        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,

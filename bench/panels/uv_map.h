@@ -21,7 +21,7 @@ struct UvMap {
 /// @throws Error as read_mesh(); misplaced_cut for a corner without a texture coordinate
 UvMap read_uv_map(const std::filesystem::path& path);
 
-/// The panels laid flat as suggest_panels() does, side by side.
+/// The panels laid flat as suggest_panels() does without match_seams, side by side.
 /// @throws Error unfold_failed for a panel without a pattern
 UvMap uv_map_of(const PanelSuggestion& found, const StrainLimits& limits);
 

@@ -100,7 +100,7 @@ TEST_F(UvScoreTest, CountsSlitsAndOverlaps) {
 
 TEST_F(UvScoreTest, AgreesWithThePanelsOfASearch) {
   const TriMesh dome = make_shape("dome", 800);
-  const PanelOptions options{.limits = {.rms = 0.01}, .moves = 1};
+  const PanelOptions options{.limits = {.rms = 0.01}, .match_seams = false, .moves = 1};
   const PanelSuggestion found = suggest_panels(Patch(dome), options);
   const UvMap map = uv_map_of(found, options.limits);
   const UvScore direct = score_of(map);

@@ -85,7 +85,7 @@ SurfaceLine SeamTracer::tight(std::span<const SurfacePoint> part) const {
     SurfacePoint checked = unfolded_.checked(place);
     const bool is_same = !places.empty() && norm(unfolded_.position(checked) -
                                                  unfolded_.position(places.back())) <= k_same;
-    if (!is_same) places.push_back(std::move(checked));
+    if (!is_same) places.push_back(checked);
   }
   if (places.size() < 2) return {part.begin(), part.end()};
   SurfaceLine line =

@@ -46,7 +46,7 @@ class Finishing {
     for (int round = 0; round < k_rounds; ++round) {
       if (open_more())
         lay_flat();
-      else if (!options_.match_seams || !match_seams())
+      else if (!options_.match_seams || !all_keep() || !match_seams())
         break;
     }
     const SeamPrices& prices = options_.prices;
@@ -69,6 +69,13 @@ class Finishing {
   };
 
   bool keeps(const Laid& piece) const { return piece.flat.keeps(options_.limits.strain); }
+
+  /// What misses the limits already misses them with less freedom too.
+  bool all_keep() const {
+    return std::all_of(laid_.begin(), laid_.end(), [&](const Laid& piece) {
+      return piece.flat.triangles.empty() || keeps(piece);
+    });
+  }
 
   bool is_image(std::size_t p) const {
     return !state_.pieces()[p].triangles.empty() && state_.is_image(p);

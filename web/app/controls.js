@@ -1,4 +1,4 @@
-// What stands beside the model: file, unit, seams, material, pieces.
+// The controls beside the model: file, unit, seams, material, pieces.
 import { make } from '../viewer/dom.js';
 import { sizeText } from './mesh.js';
 import { units } from './project.js';

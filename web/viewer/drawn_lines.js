@@ -61,7 +61,7 @@ export class DrawnLines {
     this.mesh = null;
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its GPU memory. */
   dispose() {
     this.clear();
     this.stroke.dispose();

@@ -78,7 +78,7 @@ export class PatchBody {
     return this.ghost;
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its GPU memory. */
   dispose() {
     for (const geometry of this.geometries) geometry.dispose();
     this.lines?.dispose();

@@ -26,7 +26,7 @@ std::string printed(const char* format, int precision, double value) {
   }
 }
 
-/// The nearest decimal of so many digits.
+/// The decimal number with this many digits that is nearest to the value.
 Decimal nearest_decimal(double magnitude, int digits) {
   const std::string text = printed("%.*e", digits - 1, magnitude);
   const std::size_t e = text.find('e');

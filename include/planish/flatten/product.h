@@ -49,8 +49,8 @@ struct ProductOptions {
   /// With match_seams: of the pieces of one form that was cut. Edges of seams with equal vertices
   /// on both sides get a common length instead, the mean of what they have in the patterns of both
   /// sides, but within a tenth of their own: these strain less. Where a piece keeps its limits in
-  /// no pattern, edges sewn to it keep their own. Idle with a method, with smoothing and with
-  /// remeshing, which change lengths.
+  /// no pattern, edges sewn to it keep their own. Idle with flatten.match_seams,
+  /// and with a method, smoothing or remeshing, which change lengths.
   bool common_lengths = false;
 };
 

@@ -25,7 +25,7 @@ class SewnEdges {
 
   bool has(std::size_t p) const { return !numbers_[p].empty(); }
 
-  /// Edges that were joined to none.
+  /// Joins the edges of a patch to those at the same places of its twin.
   void add_twin(std::size_t p, std::size_t twin, std::span<const Index> vertex) {
     const std::map<std::array<Index, 2>, Index> own = numbers_[p];
     for (const auto& [edge, number] : own)

@@ -219,7 +219,7 @@ class ProductWork {
         find_seams_in_groups(meshes, groups_of_patches(), options_.seam_tolerance);
     std::vector<SewnBorder> borders = find_sewn_borders(seams, meshes, alike_);
     const FlattenOptions& flatten = options_.flatten;
-    if (options_.common_lengths && keeps_lengths(flatten)) {
+    if (options_.common_lengths && !flatten.match_seams && keeps_lengths(flatten)) {
       std::vector<SewnPatch> sewn;
       for (const ProductPatch& patch : patches_)
         sewn.push_back({&patch.mesh, patch.limits.value_or(flatten.limits)});

@@ -77,6 +77,16 @@ TEST(CommonLengths, AreTheirOwnBesideAPieceThatMissesItsLimit) {
   }
 }
 
+TEST(CommonLengths, AreIdleWhereTheWholeBorderKeepsItsLengths) {
+  const std::vector<ProductPatch> patches = pieces_of(in_strips(make_shape("saddle", 300), 3));
+  ProductOptions options = with_common_lengths();
+  options.flatten.match_seams = true;
+  for (const MeasuredSeam& seam : flatten_product(patches, options).seams) {
+    for (std::size_t s = 0; s < 2; ++s)
+      EXPECT_NEAR(*seam.in_pattern[s], seam.on_model[s], 1e-9 * seam.on_model[s]);
+  }
+}
+
 TEST(CommonLengths, OfASlitAreTheSameOnBothSides) {
   const Patch vase(meshes::opened_vase(24, 12));
   const SewnBorder border = find_own_seams(vase, {}, {});

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "panels/carried_seams.h"
 #include "panels/divided_piece.h"
 #include "panels/folded_seams.h"
+#include "panels/joined_pieces.h"
 #include "panels/piece/laid_flat.h"
+#include "panels/seams/flat_zip.h"
 #include "panels/seams/unzip.h"
 #include "unfold/common_length.h"
 
@@ -16,8 +19,7 @@ namespace planish {
 
 namespace {
 
-constexpr double k_least_piece = 0.01;  // of the area
-constexpr double k_least_part = 0.002;  // of the area, where nothing else mends a piece
+constexpr double k_least_part = 0.002;  // of the area
 constexpr double k_step = 0.02;         // of the root of the area, by which runs are opened
 constexpr double k_below = 0.995;       // of the limit that is aimed at
 constexpr double k_as_they_are = 0.01;  // mean edges that seams on a product move at most
@@ -213,6 +215,10 @@ FinishedDivision finished(CarriedSeams carried, const FinishOptions& options, Th
   for (int round = 0;; ++round) {
     const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
     FinishedDivision result = Finishing(net, std::move(carried.open), options, pool).run();
+    if (!result.is_valid && round > 0) {
+      OpenEdges joined = with_strained_pieces_joined(result, options, pool);
+      result = Finishing(net, std::move(joined), options, pool).run();
+    }
     if (result.is_valid || round == k_divisions) return result;
     std::vector<std::vector<Index>> bad;
     for (const FlatPiece& piece : result.pieces) {
@@ -224,26 +230,37 @@ FinishedDivision finished(CarriedSeams carried, const FinishOptions& options, Th
   }
 }
 
-double largest_strain(const SeamState& state) {
-  double largest = 0.0;
-  for (const PanelPiece& piece : state.pieces())
-    largest = std::max(largest, piece.strain());
-  return largest;
-}
+/// How much pieces strain.
+struct Strains {
+  double whole = 0.0;    ///< rms of the edges of all, by area
+  double largest = 0.0;  ///< of a piece
+
+  explicit Strains(const SeamState& state) {
+    double energy = 0.0;
+    for (const PanelPiece& piece : state.pieces()) {
+      energy += piece.energy;
+      largest = std::max(largest, piece.strain());
+    }
+    whole = std::sqrt(energy);
+  }
+};
 
 /// The fairest seams that leave the strain about what it is on the thinned product.
 /// @param carry lays them on the product, given how far they may move
 template <class Carry>
 CarriedSeams fair_seams(const Division& division, ThreadPool& pool, const Carry& carry) {
-  constexpr double k_more = 1.03;  // of the largest strain
-  const double most = k_more * largest_strain(division.state);
+  constexpr double k_more = 1.03, k_more_at_last = 1.2;  // of the strain
+  const Strains thin(division.state);
   for (const SeamMoves& moves :
        {SeamMoves{.tight = 12.0, .rounds = 4}, SeamMoves{.tight = 6.0, .rounds = 2},
-        SeamMoves{.tight = 4.0, .rounds = 1}}) {
+        SeamMoves{.tight = 4.0, .rounds = 1}, SeamMoves{}, SeamMoves{.straightened = 0.2}}) {
     CarriedSeams carried = carry(moves);
-    if (largest_strain(SeamState(carried.net.mesh, carried.open, pool)) <= most) return carried;
+    const Strains strains(SeamState(carried.net.mesh, carried.open, pool));
+    const double more = moves.rounds > 0 ? k_more : k_more_at_last;
+    if (strains.whole <= more * thin.whole && strains.largest <= more * thin.largest)
+      return carried;
   }
-  return carry(SeamMoves{});
+  return carry(SeamMoves{.straightened = 0.0});
 }
 
 }  // namespace
@@ -251,7 +268,7 @@ CarriedSeams fair_seams(const Division& division, ThreadPool& pool, const Carry&
 FinishedDivision finished(const Patch& product, const Division& division,
                           const FinishOptions& options, ThreadPool& pool) {
   CarriedSeams carried = fair_seams(division, pool, [&](const SeamMoves& moves) {
-    return carried_seams(product, *division.net, division.state.open(), k_least_piece, moves);
+    return carried_seams(product, *division.net, division.state.open(), k_least_part, moves);
   });
   return finished(std::move(carried), options, pool);
 }
@@ -261,7 +278,7 @@ FinishedDivision finished_mirrored(const Patch& product, const Patch& half,
                                    ThreadPool& pool) {
   const OpenEdges& open = division.state.open();
   CarriedSeams on_half = fair_seams(division, pool, [&](const SeamMoves& moves) {
-    return carried_mirrored_seams(half, *division.net, open, k_least_piece, moves);
+    return carried_mirrored_seams(half, *division.net, open, k_least_part, moves);
   });
   const FinishedDivision mirrored = finished(std::move(on_half), a_little_below(options), pool);
   CarriedSeams carried = carried_seams(product, *mirrored.net, mirrored.open, k_least_part,

@@ -37,6 +37,7 @@ struct FinishOptions {
   PieceLimits limits = {};  ///< of each pattern
   bool match_seams = true;  ///< both sides of each seam get the mean of their lengths in patterns
   SeamPrices prices = {};
+  double rms = 0.02;  ///< that a pattern within the limits has at most, about
 };
 
 /// Carries a division over to the product, lays every piece flat, and opens closed runs: where the

@@ -22,6 +22,7 @@ namespace planish {
 namespace {
 
 constexpr std::size_t k_together = 2;  // moves, whatever the number of threads
+constexpr double k_thin = 1.5;         // times the vertices of trials: up to there all are kept
 constexpr double k_lap = 0.25;         // what a division that laps has to be better by
 
 SeamPrices prices_of(PanelPreference preference) {
@@ -92,8 +93,8 @@ class PanelSearch {
         context_(context),
         pool_(context),
         prices_(prices_of(options.prefer)),
-        finish_{{options.limits, options.open_crossings}, options.match_seams, prices_},
         rms_(rms_within(options.limits)),
+        finish_{{options.limits, options.open_crossings}, options.match_seams, prices_, rms_},
         half_(options.symmetric_in ? halved_product(product_, *options.symmetric_in)
                                    : std::nullopt),
         thin_(thinned()) {}
@@ -111,9 +112,14 @@ class PanelSearch {
   }
 
  private:
+  Patch thinned(const Patch& patch, std::size_t vertices) const {
+    const auto most = static_cast<std::size_t>(k_thin * static_cast<double>(vertices));
+    return patch.vertex_count() <= most ? patch : thinned_product(patch, vertices, pool_);
+  }
+
   Patch thinned() const {
-    if (!half_) return thinned_product(product_, options_.trial_vertices, pool_);
-    const Patch half = thinned_product(*half_, options_.trial_vertices / 2, pool_);
+    if (!half_) return thinned(product_, options_.trial_vertices);
+    const Patch half = thinned(*half_, options_.trial_vertices / 2);
     return Patch(without_chords(half.mesh(), *options_.symmetric_in));
   }
 
@@ -158,8 +164,8 @@ class PanelSearch {
   const Context& context_;
   ThreadPool pool_;
   SeamPrices prices_;
-  FinishOptions finish_;
   double rms_;
+  FinishOptions finish_;
   std::optional<Patch> half_;  // of a product that is to be divided symmetrically
   PanelMesh thin_;
   std::optional<FinishedDivision> best_;

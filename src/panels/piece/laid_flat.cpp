@@ -39,6 +39,7 @@ std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& cor
     UnfoldOptions options;
     options.least_stretch = true;
     options.limits = limits.strain;
+    options.max_iterations = limits.max_iterations;
     options.open_crossings = limits.open_crossings;
     if (!seams.empty()) {
       options.match_seams = options.match_if_possible = true;

@@ -25,6 +25,7 @@ struct PieceLimits {
   StrainLimits strain = {};
   /// As UnfoldOptions has it, but at most a thousandth of the root of the area of the piece.
   double open_crossings = std::numeric_limits<double>::max();
+  int max_iterations = UnfoldOptions{}.max_iterations;  ///< 0: a conformal map
 };
 
 /// With least stretch, and from there within the limits as unfold() has it.

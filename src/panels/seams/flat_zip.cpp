@@ -209,21 +209,44 @@ std::vector<Index> dividing_run(const SeamState& state, const std::vector<SeamCh
   return DividingRun(state, chains, piece, piece_price, crossings).find();
 }
 
-FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
-                      const SeamPrices& prices, std::vector<double> favour, OpenEdges held,
-                      ThreadPool& pool) {
-  Zip zip(chains, limit, prices, std::move(favour));
+namespace {
+
+/// Nothing where it has no pattern.
+std::optional<LaidFlat> flat_piece(const PanelMesh& mesh, const OpenEdges& open,
+                                   std::span<const Index> triangles,
+                                   const PieceLimits& limits = {}) {
+  return laid_flat(mesh, PieceCorners(mesh, open, triangles), limits, {.threads = 1});
+}
+
+/// Whether the piece that closing the run makes lies flat, by a conformal map of it.
+bool joins_flat(const SeamState& state, const SeamRun& run) {
+  OpenEdges open = state.open();
+  for (const Index e : run.edges)
+    open[e] = 0;
+  std::vector<Index> triangles;
+  for (const Index p : run.pieces) {
+    const std::vector<Index>& more = state.pieces()[p].triangles;
+    triangles.insert(triangles.end(), more.begin(), more.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  const auto flat = flat_piece(state.mesh(), open, triangles, {.max_iterations = 0});
+  return flat && !flat->pattern.overlaps;
+}
+
+/// Closes seams with a zip; where a piece then laps, a run that divides it is opened and held open,
+/// and seams are closed again; some times.
+FlatState zipped(Zip zip, SeamState state, const std::vector<SeamChain>& chains, double piece_price,
+                 OpenEdges held, ThreadPool& pool) {
   for (int round = 0;; ++round) {
     zip.run(state, held);
     OpenEdges open = state.open();
     bool laps = false, is_stuck = true;
     for (std::size_t p = 0; p < state.pieces().size(); ++p) {
       if (state.pieces()[p].triangles.empty() || state.is_image(p)) continue;
-      const PieceCorners corners(state.mesh(), state.open(), state.pieces()[p].triangles);
-      const auto flat = laid_flat(state.mesh(), corners, {}, {.threads = 1});
+      const auto flat = flat_piece(state.mesh(), state.open(), state.pieces()[p].triangles);
       if (flat && !flat->pattern.overlaps) continue;
       laps = true;
-      for (const Index e : dividing_run(state, chains, p, prices.piece, flat)) {
+      for (const Index e : dividing_run(state, chains, p, piece_price, flat)) {
         open[e] = held[e] = 1;
         if (state.mesh().is_mirrored()) open[state.mesh().image_of_edge(e)] = 1;
         is_stuck = false;
@@ -232,6 +255,18 @@ FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, dou
     if (is_stuck || round == k_repairs) return {std::move(state), !laps};
     state = SeamState(state.mesh(), std::move(open), pool);
   }
+}
+
+}  // namespace
+
+FlatState zipped_flat(const SeamState& state, const std::vector<SeamChain>& chains, double limit,
+                      const SeamPrices& prices, const std::vector<double>& favour,
+                      const OpenEdges& held, ThreadPool& pool) {
+  FlatState found =
+      zipped(Zip(chains, limit, prices, favour), state, chains, prices.piece, held, pool);
+  if (found.lies_flat) return found;
+  return zipped(Zip(chains, limit, prices, favour, joins_flat), state, chains, prices.piece, held,
+                pool);
 }
 
 }  // namespace planish

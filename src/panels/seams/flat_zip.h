@@ -28,11 +28,12 @@ struct FlatState {
 };
 
 /// Closes seams as Zip does. Where a piece then laps, a run that divides it is opened and held
-/// open, and seams are closed again; some times.
+/// open, and seams are closed again; some times. Where that does not help, seams are closed anew,
+/// and no two pieces are joined that would lap.
 /// @param held by edge: 1 for those that stay open
 /// @throws Cancelled
-FlatState zipped_flat(SeamState state, const std::vector<SeamChain>& chains, double limit,
-                      const SeamPrices& prices, std::vector<double> favour, OpenEdges held,
-                      ThreadPool& pool);
+FlatState zipped_flat(const SeamState& state, const std::vector<SeamChain>& chains, double limit,
+                      const SeamPrices& prices, const std::vector<double>& favour,
+                      const OpenEdges& held, ThreadPool& pool);
 
 }  // namespace planish

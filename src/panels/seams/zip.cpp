@@ -11,6 +11,13 @@ namespace {
 constexpr double k_never = std::numeric_limits<double>::infinity();
 // An action that would add so much of what it last did and break the limit is not tried.
 constexpr double k_as_before = 0.85;
+constexpr double k_least_piece = 0.01;  // of the area
+constexpr double k_unfit = 1e-3;        // of the ratio of an action that joins an unfit piece
+
+/// Whether a piece is to be joined to another one while that has some strain to spare.
+bool is_unfit(const PanelPiece& piece, double limit) {
+  return piece.strain() > limit || piece.area < k_least_piece;
+}
 
 }  // namespace
 
@@ -100,7 +107,14 @@ Zip::Outcome Zip::try_out(const SeamState& state, const Action& action) const {
   outcome.more = std::max(outcome.piece.energy - before, 0.0);
   if (outcome.piece.energy > most) return outcome;
   outcome.ratio = outcome.more / gain * (favour_.empty() ? 1.0 : favour_[action.chain]);
+  if (joins_unfit(state, action)) outcome.ratio *= k_unfit;
   return outcome;
+}
+
+bool Zip::joins_unfit(const SeamState& state, const Action& action) const {
+  const auto& sides = state.mesh().edges()[chains_[action.chain].edges[action.first]].triangles;
+  const Index p = state.piece_of(sides[0]), q = state.piece_of(sides[1]);
+  return p != q && (is_unfit(state.pieces()[p], limit_) || is_unfit(state.pieces()[q], limit_));
 }
 
 bool Zip::is_hopeless(const SeamState& state, const Action& action, double step) const {
@@ -114,16 +128,17 @@ bool Zip::is_hopeless(const SeamState& state, const Action& action, double step)
   return piece.energy + k_as_before * last->second > limit_ * limit_ * piece.area;
 }
 
-bool Zip::close_best(SeamState& state, const OpenEdges& held, double step) {
-  const std::vector<Action> all = actions(state, held, step);
+std::optional<std::size_t> Zip::best_of(const SeamState& state, const std::vector<Action>& all,
+                                        double step) {
   std::vector<std::pair<double, std::size_t>> order;  // the last ratio; the action
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto last = last_ratio_.find({step, all[i].chain, all[i].way});
-    order.emplace_back(last == last_ratio_.end() ? 0.0 : last->second, i);
+    const bool is_first = last == last_ratio_.end() || joins_unfit(state, all[i]);
+    order.emplace_back(is_first ? 0.0 : last->second, i);
   }
   std::sort(order.begin(), order.end());
   double best_ratio = k_never;
-  std::size_t best = all.size();
+  std::optional<std::size_t> best;
   for (const auto& [last, i] : order) {
     if (last > best_ratio) break;
     const Key key = key_of(state, all[i]);
@@ -137,9 +152,21 @@ bool Zip::close_best(SeamState& state, const OpenEdges& held, double step) {
     if (more < k_never) last_more_[place] = more;
     if (ratio < best_ratio) best_ratio = ratio, best = i;
   }
-  if (best == all.size()) return false;
-  const SeamRun run = state.run_of(edges_of(all[best]));
-  PanelPiece piece = std::move(known_.at(key_of(state, all[best])).piece);
+  return best;
+}
+
+bool Zip::close_best(SeamState& state, const OpenEdges& held, double step) {
+  const std::vector<Action> all = actions(state, held, step);
+  std::optional<std::size_t> best;
+  SeamRun run;
+  while (true) {
+    best = best_of(state, all, step);
+    if (!best) return false;
+    run = state.run_of(edges_of(all[*best]));
+    if (run.pieces.size() == 1 || !may_join_ || may_join_(state, run)) break;
+    known_.at(key_of(state, all[*best])).ratio = k_never;
+  }
+  PanelPiece piece = std::move(known_.at(key_of(state, all[*best])).piece);
   std::erase_if(known_, [&](const auto& entry) {
     const auto is_gone = [&](Index p) {
       return std::find(run.pieces.begin(), run.pieces.end(), p) != run.pieces.end();

@@ -101,8 +101,9 @@ DivisionWay way_of_move(std::size_t move) {
   constexpr std::array<double, 3> spreads = {1.5, 2.5, 2.0};
   constexpr std::array<double, 3> planes = {1.0, 10.0, 0.1};
   constexpr std::array<double, 4> aims = {0.8, 0.85, 1.0, 0.92};
+  constexpr std::array<double, 5> beyond = {1.3, 1.15, 1.5, 1.2, 1.4};
   return {cells[move % 4],  limits[move % 5], spreads[move % 3], move,
-          planes[move % 3], aims[move % 4]};
+          planes[move % 3], aims[move % 4],   beyond[move % 5]};
 }
 
 Division divided(const PanelMesh& mesh, const std::optional<Plane>& plane, double limit,

@@ -107,7 +107,7 @@ class Finishing {
   }
 
   Laid laid(const PanelPiece& piece, std::vector<EdgeLength> seams) const {
-    Laid result{{piece.triangles, piece.area, false, false, {}}, {}, std::move(seams)};
+    Laid result{{.triangles = piece.triangles, .area = piece.area}, {}, std::move(seams)};
     if (piece.triangles.empty()) return result;
     const PieceCorners corners(net_->mesh, state_.open(), piece.triangles);
     auto flat = laid_flat(net_->mesh, corners, options_.limits, {.threads = 1}, result.seams);
@@ -115,6 +115,8 @@ class Finishing {
     result.flat.has_pattern = true;
     result.flat.overlaps = flat->pattern.overlaps;
     result.flat.strain = flat->strain;
+    const double over = excess(flat->strain, options_.limits.strain);
+    result.flat.changes = over > 1.0 && over <= options_.beyond;
     result.sides = seam_sides(net_->mesh, state_.open(), corners, piece.triangles, flat->pattern);
     if (result.flat.overlaps) result.lapping = std::move(flat);
     return result;
@@ -176,7 +178,8 @@ class Finishing {
         changed = divide(p) || changed;
         continue;
       }
-      const double aim = piece.strain() * k_below / excess(flat.strain, options_.limits.strain);
+      const double over = excess(flat.strain, options_.limits.strain) / options_.beyond;
+      const double aim = piece.strain() * k_below / over;
       const std::size_t before = state_.pieces().size();
       unzip(state_, net_->chains, p, aim, k_step);
       changed = changed || state_.pieces().size() > before;

@@ -16,10 +16,11 @@ struct FlatPiece {
   double area = 0.0;             ///< of that of the product
   bool has_pattern = false;
   bool overlaps = false;
+  bool changes = false;  ///< it misses the limits, but not by more than FinishOptions::beyond
   EdgeStrain strain = {};
 
   bool keeps(const StrainLimits& limits) const {
-    return has_pattern && !overlaps && limits.kept_by(strain);
+    return has_pattern && !overlaps && (changes || limits.kept_by(strain));
   }
 };
 
@@ -37,7 +38,8 @@ struct FinishOptions {
   PieceLimits limits = {};  ///< of each pattern
   bool match_seams = true;  ///< both sides of each seam get the mean of their lengths in patterns
   SeamPrices prices = {};
-  double rms = 0.02;  ///< that a pattern within the limits has at most, about
+  double rms = 0.02;    ///< that a pattern within the limits has at most, about
+  double beyond = 1.0;  ///< times the limits: what pieces keep at least, as they can change
 };
 
 /// Carries a division over to the product, lays every piece flat, and opens closed runs: where the

@@ -16,6 +16,7 @@
 #include "panels/cells/thinned_product.h"
 #include "panels/division.h"
 #include "panels/finish.h"
+#include "panels/piece/laid_flat.h"
 
 namespace planish {
 
@@ -72,8 +73,8 @@ PanelSuggestion suggestion_of(const FinishedDivision& division) {
   for (SeamChain& chain : seam_chains(mesh, division.open))
     result.seams.push_back(std::move(chain.vertices));
   for (const FlatPiece& piece : division.pieces)
-    result.panels.push_back(
-        {piece.triangles, piece.area, piece.has_pattern, piece.overlaps, piece.strain});
+    result.panels.push_back({piece.triangles, piece.area, piece.has_pattern, piece.overlaps,
+                             piece.changes, piece.strain});
   std::sort(result.panels.begin(), result.panels.end(),
             [](const auto& a, const auto& b) { return a.triangles.front() < b.triangles.front(); });
   result.length = open_length(mesh, division.open) / mesh.scale();
@@ -146,17 +147,55 @@ class PanelSearch {
     return one.cost < other.cost;
   }
 
-  /// Nothing where the thinned product says that it is no better.
+  /// First with pieces that change, where they can. Nothing where the thinned product says that it
+  /// is no better.
   std::optional<FinishedDivision> try_out(std::size_t move) const {
+    const DivisionWay way = way_of_move(move);
+    if (options_.can_change && way.beyond > 1.0) {
+      if (auto found = try_out(way, way.beyond)) return found;
+    }
+    return try_out(way, 1.0);
+  }
+
+  /// @param beyond times the limits, which pieces miss that change
+  std::optional<FinishedDivision> try_out(const DivisionWay& way, double beyond) const {
     ThreadPool alone(Context{.threads = 1, .is_cancelled = context_.is_cancelled});
     const std::optional<Plane> plane = half_ ? options_.symmetric_in : std::nullopt;
-    const DivisionWay way = way_of_move(move);
-    const double limit = rms_ * (options_.match_seams ? way.aim : 1.0);
+    const double limit = rms_ * beyond * (options_.match_seams ? way.aim : 1.0);
     const Division division = divided(thin_, plane, limit, prices_, way, alone);
     const double cost = division.cost + (division.lies_flat ? 0.0 : k_lap);
     if (best_ && best_->is_valid && cost >= best_->cost) return std::nullopt;
-    if (half_) return finished_mirrored(product_, *half_, division, finish_, alone);
-    return finished(product_, division, finish_, alone);
+    if (beyond > 1.0 && !can_change(division)) return std::nullopt;
+    FinishOptions finish = finish_;
+    finish.beyond = beyond;
+    FinishedDivision found = half_ ? finished_mirrored(product_, *half_, division, finish, alone)
+                                   : finished(product_, division, finish, alone);
+    if (beyond > 1.0 && !(found.is_valid && can_change(found))) return std::nullopt;
+    return found;
+  }
+
+  /// Whether all pieces can be changed that are over the limit.
+  bool can_change(const Division& division) const {
+    const std::vector<PanelPiece>& pieces = division.state.pieces();
+    return std::all_of(pieces.begin(), pieces.end(), [&](const PanelPiece& piece) {
+      return piece.triangles.empty() || piece.strain() <= rms_ ||
+             can_change(division.net->mesh, division.state.open(), piece.triangles);
+    });
+  }
+
+  bool can_change(const FinishedDivision& division) const {
+    return std::all_of(division.pieces.begin(), division.pieces.end(), [&](const FlatPiece& piece) {
+      return !piece.changes || can_change(division.net->mesh, division.open, piece.triangles);
+    });
+  }
+
+  /// Of a large piece asks the one with fewer vertices.
+  bool can_change(const PanelMesh& mesh, const OpenEdges& open,
+                  const std::vector<Index>& triangles) const {
+    if (mesh.is_image(triangles.front())) return true;  // as what it is the image of
+    const Patch piece(cut_out(mesh, PieceCorners(mesh, open, triangles)));
+    return options_.can_change(thinned(piece, options_.trial_vertices),
+                               {.threads = 1, .is_cancelled = context_.is_cancelled});
   }
 
   Patch product_;  // that which is divided
@@ -192,6 +231,11 @@ PanelSuggestion with_one_divided(const Patch& product, const PanelOptions& optio
   PanelOptions of_search = options;
   if (of_search.symmetric_in) of_search.symmetric_in->offset *= scale;
   of_search.open_crossings *= scale;
+  if (options.can_change) {
+    of_search.can_change = [&](const Patch& piece, const Context& of_piece) {
+      return options.can_change(Patch(scaled(piece.mesh(), 1.0 / scale)), of_piece);
+    };
+  }
   if (options.on_better) {
     of_search.on_better = [&](const PanelSuggestion& better) {
       options.on_better(at_own_scale(better));

@@ -247,7 +247,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
       read_product(session, arguments.operands, arguments, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
   if (!read.is_described) note_idle_evolve_flags(session, arguments);
-  const std::optional<CutOutcome> cut = cut_product(read, arguments, session);
+  const std::optional<CutOutcome> cut = cut_product(read, request.options, arguments, session);
   request.options.constraints.symmetric_in = read.symmetric_in;
   const bool is_product = read.patches.size() > 1 || read.is_described;
   if (is_product) rename_pieces(read, arguments);

@@ -54,7 +54,8 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
   TriMesh mesh = read_whole(path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(std::move(mesh)); });
   const PanelSuggestion found = about(path, [&] {
-    return panels_as_asked(patch, path, arguments, session, arguments.has("--match-seams"));
+    return panels_as_asked(patch, path, arguments, session,
+                           {.match_seams = arguments.has("--match-seams")});
   });
   const CutInput cut = cut_into_panels(found);
   const std::vector<OutputFile> files = panel_files(found, cut, paths, arguments);

@@ -319,7 +319,7 @@ CutInput cut_without_images(TriMesh mesh, const std::string& path, const Argumen
   }
   if (asks_for_panels(arguments)) {
     CutInput divided =
-        divided_into_panels(Patch(result.mesh), path, arguments, session, limits.match_panels);
+        divided_into_panels(Patch(result.mesh), path, arguments, session, limits.panels);
     *divided.cut += *result.cut;
     return divided;
   }
@@ -356,7 +356,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                          : CutInput{symmetric.surface_for(none)};
     if (asks_for_panels(arguments)) {
       CutInput divided =
-          divided_into_panels(Patch(input.mesh), path, arguments, session, limits.match_panels);
+          divided_into_panels(Patch(input.mesh), path, arguments, session, limits.panels);
       if (input.cut) *divided.cut += *input.cut;
       input = std::move(divided);
     }
@@ -367,9 +367,10 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
 }
 
 CutInput divided_into_panels(const Patch& patch, const std::string& path,
-                             const Arguments& arguments, Session& session, bool match_seams) {
+                             const Arguments& arguments, Session& session,
+                             const PanelRules& rules) {
   const PanelSuggestion found =
-      about(path, [&] { return panels_as_asked(patch, path, arguments, session, match_seams); });
+      about(path, [&] { return panels_as_asked(patch, path, arguments, session, rules); });
   session.note("--cut auto: " + panels_words(found, unit_from(arguments)) +
                (found.met ? "" : "; not every piece keeps the limit of strain"));
   return cut_into_panels(found);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <planish/core/context.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/surface_line.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/report/json_report.h>
@@ -34,11 +37,17 @@ struct CutInput {
   std::optional<Plane> symmetric_in = {};  ///< that of --symmetric; model units
 };
 
+/// What patterns of panels keep, beside limits.
+struct PanelRules {
+  bool match_seams = false;                                           ///< as PanelOptions has it
+  std::function<bool(const Patch&, const Context&)> can_change = {};  ///< likewise
+};
+
 /// How far `--cut open` and `--cut auto` go.
 struct OpeningLimits {
   std::size_t most_pieces = 1;  ///< as CutGraphOptions has it
   bool match_seams = false;     ///< the pieces of `--cut open` are sewn to others
-  bool match_panels = false;    ///< PanelOptions::match_seams
+  PanelRules panels = {};       ///< of `--cut auto`
 };
 
 /// @throws Error as read_cuts(), cut_open(), cut_graph() and SymmetricDesign
@@ -46,10 +55,9 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                       Session& session, const OpeningLimits& limits = {});
 
 /// As `--cut auto` does: divides into panels that keep the limits of the flags.
-/// @param match_seams as PanelOptions has it
 /// @throws Error as suggest_panels()
 CutInput divided_into_panels(const Patch& patch, const std::string& path,
-                             const Arguments& arguments, Session& session, bool match_seams);
+                             const Arguments& arguments, Session& session, const PanelRules& rules);
 
 /// What --cut did as "cut": {"edges", "length", ...}, for a report.
 MoreFigures figures_of(const CutOutcome& cut);

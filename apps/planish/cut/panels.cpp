@@ -83,10 +83,12 @@ std::optional<Plane> plane_of_panels(const Patch& patch, const std::string& path
 }
 
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
-                                const Arguments& arguments, Session& session, bool match_seams) {
+                                const Arguments& arguments, Session& session,
+                                const PanelRules& rules) {
   PanelOptions options = panel_options_from(arguments);
   const Unit unit = unit_from(arguments);
-  options.match_seams = match_seams;
+  options.match_seams = rules.match_seams;
+  options.can_change = rules.can_change;
   options.open_crossings = k_hair / millimetres_per(unit);
   options.on_better = [&](const PanelSuggestion& better) {
     session.tell(path + ": " + panels_words(better, unit) +

@@ -28,7 +28,8 @@ void note_idle_panel_flags(const Arguments& arguments, Session& session);
 /// @param match_seams as PanelOptions has it
 /// @throws Error as suggest_panels(); UsageError; Cancelled before there is an answer
 PanelSuggestion panels_as_asked(const Patch& patch, const std::string& path,
-                                const Arguments& arguments, Session& session, bool match_seams);
+                                const Arguments& arguments, Session& session,
+                                const PanelRules& rules);
 
 /// "2 pieces, 1478 mm of seam, 3 slits"
 std::string panels_words(const PanelSuggestion& found, Unit unit);

@@ -1,12 +1,14 @@
 #include "product/cut_product.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <planish/flatten/flatten.h>
 #include <planish/mesh/inspect.h>
 
 #include "cut/panel_places.h"
@@ -73,10 +75,9 @@ std::vector<std::string> reasons_to_divide(const ProductInput& input) {
 /// Divides a mesh as --cut auto does. If that fails, returns the mesh as it was: flattening it then
 /// reports the error.
 CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::string& reason,
-                         const Arguments& arguments, Session& session) {
+                         const PanelRules& rules, const Arguments& arguments, Session& session) {
   try {
-    CutInput cut = divided_into_panels(Patch(mesh), path, arguments, session,
-                                       matches_seams_of_product(arguments));
+    CutInput cut = divided_into_panels(Patch(mesh), path, arguments, session, rules);
     session.note(
         path + ": " + reason +
         ", so it was divided, as by --cut auto. Of a wall with a thickness --side takes one "
@@ -91,15 +92,15 @@ CutInput divided_unasked(TriMesh mesh, const std::string& path, const std::strin
 /// @param reason to divide it unasked; empty where there is none
 std::vector<ProductPatch> cut_patch(ProductPatch patch, const std::string& path,
                                     const std::string& reason, bool is_one_of_several,
-                                    const Arguments& arguments, Session& session, CutInput& all) {
+                                    const PanelRules& rules, const Arguments& arguments,
+                                    Session& session, CutInput& all) {
   CutInput cut = {};
   if (arguments.has("--cut") || asks_for_symmetry(arguments)) {
-    cut = cut_as_asked(std::move(patch.mesh), path, arguments, session,
-                       {.most_pieces = k_most_pieces,
-                        .match_seams = is_one_of_several,
-                        .match_panels = matches_seams_of_product(arguments)});
+    cut = cut_as_asked(
+        std::move(patch.mesh), path, arguments, session,
+        {.most_pieces = k_most_pieces, .match_seams = is_one_of_several, .panels = rules});
   } else if (!reason.empty()) {
-    cut = divided_unasked(std::move(patch.mesh), path, reason, arguments, session);
+    cut = divided_unasked(std::move(patch.mesh), path, reason, rules, arguments, session);
   } else {
     cut.mesh = std::move(patch.mesh);
   }
@@ -148,8 +149,29 @@ void leave_out(std::vector<ProductPatch>& pieces, const std::string& whole,
 
 }  // namespace
 
-std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
-                                      Session& session) {
+PanelRules panel_rules(const FlattenOptions& options, const Arguments& arguments) {
+  PanelRules rules{.match_seams = matches_seams_of_product(arguments)};
+  const bool has_tolerance =
+      options.as_needed.max_deviation > 0.0 && std::isfinite(options.as_needed.max_deviation);
+  if (options.method || !has_tolerance || !options.limits.any()) return rules;
+  rules.can_change = [limits = options.limits, as_needed = options.as_needed](
+                         const Patch& piece, const Context& context) {
+    try {
+      const Outcome outcome =
+          flatten(piece, "", {.as_needed = as_needed, .limits = limits}, context).outcome();
+      return std::all_of(outcome.missed.begin(), outcome.missed.end(),
+                         [](Criterion what) { return what == Criterion::size; });
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  return rules;
+}
+
+std::optional<CutOutcome> cut_product(ProductInput& input, const FlattenOptions& options,
+                                      const Arguments& arguments, Session& session) {
   const bool is_cut = arguments.has("--cut"), is_symmetric = asks_for_symmetry(arguments);
   panel_options_from(arguments);
   const bool is_asked = is_symmetric || is_cut;
@@ -185,8 +207,8 @@ std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& argu
       pieces.push_back(std::move(input.patches[p]));
     } else {
       const std::string whole = input.patches[p].name;
-      pieces = cut_patch(std::move(input.patches[p]), path, reasons[p], are_several, arguments,
-                         session, all);
+      pieces = cut_patch(std::move(input.patches[p]), path, reasons[p], are_several,
+                         panel_rules(options, arguments), arguments, session, all);
       made += pieces.size() - 1;
       if (pieces.size() > 1) leave_out(pieces, whole, arguments, input.left_out);
     }

@@ -56,8 +56,8 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
   cli::PatternFiles pattern = cli::pattern_files_from(arguments);
   Job job(arguments, std::move(progress));
   FlattenResult result = job.run([&](cli::Session& session) {
-    cli::CutInput input = cut_input(data, arguments, session,
-                                    {.match_panels = cli::matches_seams_of_product(arguments)});
+    cli::CutInput input =
+        cut_input(data, arguments, session, {.panels = cli::panel_rules(options, arguments)});
     const Patch patch(std::move(input.mesh));
     cli::note_obstruction(session, patch);
     options.constraints = cli::constraints_from(arguments, patch, session);

@@ -38,8 +38,8 @@ PanelsResult suggested_panels(const MeshData& data, const py::dict& keywords, py
   Job job(arguments, std::move(progress));
   PanelsResult result = job.run([&](cli::Session& session) {
     const Patch patch(cli::scaled(data.mesh, scale, {}));
-    PanelSuggestion found =
-        cli::panels_as_asked(patch, data.name, arguments, session, arguments.has("--match-seams"));
+    PanelSuggestion found = cli::panels_as_asked(patch, data.name, arguments, session,
+                                                 {.match_seams = arguments.has("--match-seams")});
     cli::CutInput cut = cli::cut_into_panels(found);
     return PanelsResult{data.name, std::move(found), std::move(cut.mesh), cut.cut, unit};
   });

@@ -27,15 +27,19 @@ std::vector<std::array<Index, 2>> edges_without(const PieceCorners& corners,
 
 }  // namespace
 
-std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& corners,
-                                  const PieceLimits& limits, const Context& context,
-                                  std::span<const EdgeLength> seams) {
+TriMesh cut_out(const PanelMesh& mesh, const PieceCorners& corners) {
   TriMesh piece;
   for (std::size_t v = 0; v < corners.vertex_count(); ++v)
     piece.positions.push_back(mesh.patch().positions()[corners.vertex_of(v)]);
   piece.triangles = corners.all_corners();
+  return piece;
+}
+
+std::optional<LaidFlat> laid_flat(const PanelMesh& mesh, const PieceCorners& corners,
+                                  const PieceLimits& limits, const Context& context,
+                                  std::span<const EdgeLength> seams) {
   try {
-    LaidFlat flat{Patch(std::move(piece)), {}, {}};
+    LaidFlat flat{Patch(cut_out(mesh, corners)), {}, {}};
     UnfoldOptions options;
     options.least_stretch = true;
     options.limits = limits.strain;

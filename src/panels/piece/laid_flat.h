@@ -28,6 +28,9 @@ struct PieceLimits {
   int max_iterations = UnfoldOptions{}.max_iterations;  ///< 0: a conformal map
 };
 
+/// A piece as a mesh of its own, whose vertices are those of its corners.
+TriMesh cut_out(const PanelMesh& mesh, const PieceCorners& corners);
+
 /// With least stretch, and from there within the limits as unfold() has it.
 /// @param seams lengths that sides along seams get where that can be, by vertices of the piece; the
 ///   others are free

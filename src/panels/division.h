@@ -32,7 +32,7 @@ struct DivisionWay {
   std::uint64_t seed = 0;    ///< of the factors of costs of chains; 0: all are 1
   double plane = 1.0;        ///< one more of these, for seams on the plane of a mirrored mesh
   double aim = 1.0;          ///< of the limit, where seams are to match: that takes some of it
-  double beyond = 1.0;       ///< times the limit, where pieces may change
+  double beyond = 1.3;       ///< times the limit, where pieces may change
 };
 
 /// The n-th way that is tried; the first is the plain one.

@@ -113,6 +113,40 @@ TEST_F(Panels, AreMirrorImagesWhereTheProductIsItsOwn) {
   EXPECT_THAT(flat.err, Not(HasSubstr("no mirror image was found")));
 }
 
+TEST_F(Panels, AreFewerWhereTheFormMayChange) {
+  write_mesh("dome.obj", make_shape("dome", 600));
+  const auto length_and_move = [&](const Names& tolerance) {
+    Names args = {"flatten",
+                  "dome.obj",
+                  "--cut",
+                  "auto",
+                  "--max-rms-strain",
+                  "2%",
+                  "--effort",
+                  "2",
+                  "-o",
+                  "flat",
+                  "--formats",
+                  "svg",
+                  "--prefer-cuts",
+                  "short",
+                  "--symmetric",
+                  "no",
+                  "--json"};
+    args.insert(args.end(), tolerance.begin(), tolerance.end());
+    const CliResult flat = planish(args);
+    EXPECT_EQ(flat.exit_code, k_exit_done) << flat.err;
+    const auto json = flat.json();
+    EXPECT_EQ(json["limits_met"], true);
+    return std::pair<double, double>(json["cut"]["length"], json["evolve"]["deviation"]["max"]);
+  };
+  const auto [stiff, unmoved] = length_and_move({});
+  const auto [soft, moved] = length_and_move({"--max-deviation", "4mm"});
+  EXPECT_LT(soft, 0.95 * stiff);
+  EXPECT_EQ(unmoved, 0.0);
+  EXPECT_LE(moved, 4.0);
+}
+
 /// A coarse mesh: matching takes much of the limit.
 TEST_F(Panels, KeepFormAndLimitWithSeamsOfOneLength) {
   TriMesh pear = solids::sphere(1.0, 12);

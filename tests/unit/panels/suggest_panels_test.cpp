@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <planish/mesh/cut.h>
@@ -132,6 +134,38 @@ TEST(SuggestPanels, DividesPartsAndHandles) {
   const PanelSuggestion ring =
       suggest_panels(Patch(meshes::torus(40, 20)), {.limits = {.rms = 0.05}, .moves = 1});
   EXPECT_TRUE(ring.met);
+}
+
+TEST(SuggestPanels, HasShorterSeamsWherePiecesCanChange) {
+  const Patch dome(make_shape("dome", 800));
+  PanelOptions options{.limits = {.rms = 0.02}, .prefer = PanelPreference::shortest, .moves = 2};
+  options.trial_vertices = 500;
+  options.match_seams = false;
+  const PanelSuggestion stiff = suggest_panels(dome, options);
+  ASSERT_TRUE(stiff.met);
+  options.can_change = [](const Patch&, const Context&) { return false; };
+  EXPECT_EQ(suggest_panels(dome, options).seams, stiff.seams);
+  std::atomic<std::size_t> most_asked = 0;
+  options.can_change = [&](const Patch& piece, const Context&) {
+    most_asked = std::max<std::size_t>(most_asked, piece.vertex_count());
+    return true;
+  };
+  const PanelSuggestion soft = suggest_panels(dome, options);
+  EXPECT_TRUE(soft.met);
+  EXPECT_LT(soft.length, stiff.length);
+  EXPECT_GT(most_asked, 0U);
+  EXPECT_LT(most_asked, 1000U);
+  double largest = 0.0;
+  for (const SuggestedPanel& panel : soft.panels) {
+    EXPECT_EQ(panel.changes, panel.strain.rms > 0.02);
+    largest = std::max(largest, panel.strain.rms);
+  }
+  EXPECT_GT(largest, 0.02);
+  EXPECT_LT(largest, 0.02 * 1.5);
+  // What asking throws comes through.
+  options.can_change = [](const Patch&, const Context&) -> bool { throw Cancelled(); };
+  EXPECT_THROW(suggest_panels(dome, {.limits = {.rms = 0.02}, .can_change = options.can_change}),
+               Cancelled);
 }
 
 TEST(SuggestPanels, HasTheBestWhenItIsCancelled) {

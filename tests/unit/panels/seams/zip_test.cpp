@@ -75,6 +75,26 @@ TEST(Zip, LeavesHeldSeamsOpen) {
   EXPECT_EQ(state.piece_count(), 6U);
 }
 
+TEST(Zip, JoinsOnlyWhatMayBeJoined) {
+  const SeamedCube cube;
+  ThreadPool pool(1);
+  const OpenEdges none(cube.seams.size(), 0);
+  SeamState state(cube.mesh, cube.seams, pool);
+  Zip(cube.chains, 1e-3, {}, {}, [](const SeamState&, const SeamRun&) {
+    return false;
+  }).run(state, none);
+  EXPECT_EQ(state.piece_count(), 6U);
+  // Of three faces that are joined already no more.
+  const auto is_small = [&](const SeamState& before, const SeamRun& run) {
+    double area = 0.0;
+    for (const Index p : run.pieces)
+      area += before.pieces()[p].area;
+    return area < 0.51;
+  };
+  Zip(cube.chains, 1e-3, {}, {}, is_small).run(state, none);
+  EXPECT_EQ(state.piece_count(), 2U);
+}
+
 TEST(Zip, WithMoreStrainAllowedHasShorterSeams) {
   const SeamedCube cube;
   ThreadPool pool(2);

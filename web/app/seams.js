@@ -234,7 +234,6 @@ export class Seams {
     const shown = this.shown();
     app.stage?.draws(this.draft !== null);
     app.stage?.showLines(shown, this.draft?.length ? shown.length - 1 : this.chosen, this.images(shown));
-    app.notches.show();
     const { draw, hint } = app.frame.seamPart;
     draw.setAttribute('aria-pressed', String(this.draft !== null));
     draw.textContent = this.draft ? 'Finish the line' : 'Draw a line';
@@ -242,6 +241,7 @@ export class Seams {
       ? 'Click points on the model; Enter or a second click on the last point ends the line. By keys: turn the model ' +
         'with the arrows, Space sets a point under the cross.'
       : this.hint || (this.chosen >= 0 ? 'Drag the points of the line, or take one away with Delete.' : '');
+    app.notches.show();
     app.frame.seamPart.show(app.project, this.chosen, (i) => this.lengthText(i));
     void this.trace();
   }

@@ -3,13 +3,12 @@
 #include <planish/core/error.h>
 #include <planish/io/write_file.h>
 
-#include <planish_json/json.h>
-
 #include "commands/commands.h"
 #include "output/app_page.h"
 #include "output/open_page.h"
 #include "platform/path.h"
 #include "shell/session.h"
+#include "text/json_text.h"
 #include "text/written_text.h"
 
 namespace planish::cli {
@@ -27,8 +26,7 @@ CommandResult run_app(const Arguments& arguments, Session& session) {
     page += part;
   const std::filesystem::path path = path_of(arguments.text("--output", "planish.html"));
   const std::vector<OutputFile> files = {{path, std::move(page)}};
-  const Json json = {{"output", utf8_of(path)}};
-  CommandResult outcome = {written_text(files), json.dump() + "\n"};
+  CommandResult outcome = {written_text(files), json_page(utf8_of(path))};
   session.write(files);
   open_if_asked(arguments, path, session);
   return outcome;
@@ -38,7 +36,7 @@ CommandResult run_app(const Arguments& arguments, Session& session) {
 
 Command app_command() {
   return {"app",
-          "the app: Planish as a page for the browser",
+          "Planish as a page for the browser",
           "[-o PAGE]",
           "Writes the app as one .html file that works without a network: drop a model on it, draw "
           "seams, and take the pattern with you.",

@@ -207,6 +207,8 @@ void take_flags(const Project& project, Arguments& arguments) {
   for (const auto& [flag, key] : flags) {
     const std::string value = project.text(key);
     if (value.empty() || arguments.has(flag)) continue;
+    if (key == std::string_view("unit") && !unit_of_word(value))
+      refuse(key, "is \"" + value + "\" but must be mm, cm, dm, m or in");
     arguments.flags[flag] = {value};
     // Where the plane is named, the model is not symmetric itself.
     if (key == std::string_view("symmetric") && value != "auto")

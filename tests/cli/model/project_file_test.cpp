@@ -1,6 +1,7 @@
 #include "model/project_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -39,11 +40,15 @@ class ProjectFileTest : public CliTest {
 
   void SetUp() override {
     CliTest::SetUp();
+    // Half way up at the left and at the right.
     const auto positions = make_shape("panel", 300).positions;
-    const auto by_x = [](Vec3 a, Vec3 b) { return a.x < b.x; };
-    const auto [low, high] = std::minmax_element(positions.begin(), positions.end(), by_x);
+    const auto out = [](Vec3 p, double way) { return way * p.x - std::abs(p.y - 280.0); };
+    const auto end = [&](double way) {
+      return *std::max_element(positions.begin(), positions.end(),
+                               [&](Vec3 a, Vec3 b) { return out(a, way) < out(b, way); });
+    };
     nlohmann::json points = nlohmann::json::array();
-    for (const Vec3 p : {*low, *high}) {
+    for (const Vec3 p : {end(-1.0), end(1.0)}) {
       points.push_back({p.x, p.y, p.z});
       ends_.push_back(points.back()[0].dump() + "," + points.back()[1].dump() + "," +
                       points.back()[2].dump());

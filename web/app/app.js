@@ -303,7 +303,7 @@ export class App {
   /** Ends a job whose result would be of the past. */
   supersede() {
     clearTimeout(this.timer);
-    if (this.jobs.isBusy) this.jobs.stop();
+    if (!this.frame.busy.hidden) this.jobs.stop();
   }
 
   /** The same, and waits for its end. */

@@ -103,10 +103,6 @@ export class Engine {
     return worker;
   }
 
-  get isBusy() {
-    return this.waiting.size > 0;
-  }
-
   /**
    * @param {Worker} worker
    * @param {string} call

@@ -11,7 +11,13 @@ function(planish_page_script target)
     target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/report/page/no_page_script.cpp")
     return()
   endif()
-  set(script "${PROJECT_BINARY_DIR}/generated/page_script.cpp")
+  # In browsers the script comes as a file of its own: the page that the program is in has it too.
+  if(EMSCRIPTEN)
+    set(script "${PROJECT_BINARY_DIR}/generated/page_script.txt")
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/bindings/wasm/src/page_script.cpp")
+  else()
+    set(script "${PROJECT_BINARY_DIR}/generated/page_script.cpp")
+  endif()
   file(GLOB modules CONFIGURE_DEPENDS "${web}/report/*.js" "${web}/viewer/*.js")
   add_custom_command(
     OUTPUT "${script}"

@@ -63,6 +63,7 @@ python3-venv        python ensurepip
 web_packages="
 emscripten          command em++
 dpkg-dev            command dpkg-source
+xz-utils            command xz
 "
 
 paper_packages="

@@ -1,5 +1,5 @@
-// Bundles the script of the report pages and writes it as a C++ source.
-//   node build.mjs FOLDER-OF-NODE-MODULES OUTPUT.cpp
+// Bundles the script of the report pages and writes it as a C++ source, or as a text behind a line with its hash.
+//   node build.mjs FOLDER-OF-NODE-MODULES OUTPUT.cpp|OUTPUT.txt
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -32,10 +32,8 @@ for (const part of ['</script', '<!--', ')planish"', '\r']) {
 const longest = 60000; // letters of a string that every compiler takes
 const parts = [];
 for (let at = 0; at < script.length; at += longest) parts.push(script.slice(at, at + longest));
-const hash = createHash('sha256').update(script).digest('base64');
-writeFileSync(
-  output,
-  `#include "report/page/page_assets.h"
+const hash = `sha256-${createHash('sha256').update(script).digest('base64')}`;
+const source = `#include "report/page/page_assets.h"
 
 namespace planish {
 
@@ -49,9 +47,9 @@ ${parts.map((part) => `R"planish(${part})planish"sv`).join(',\n')}};
 }  // namespace
 
 PageScript page_script() {
-  return {"sha256-${hash}", k_parts};
+  return {"${hash}", k_parts};
 }
 
 }  // namespace planish
-`,
-);
+`;
+writeFileSync(output, output.endsWith('.txt') ? `${hash}\n${script}` : source);

@@ -6,7 +6,7 @@ const eslint = require('@eslint/js');
 const globals = require('globals');
 
 const inNode = ['web/*.js', 'web/*.mjs', 'tests/**/*.mjs', 'bindings/wasm/tools/*.mjs'];
-const inBrowser = ['web/app/*.js', 'web/report/*.js', 'web/viewer/*.js', 'tests/browser/*.mjs'];
+const inBrowser = ['web/app/**/*.js', 'web/report/*.js', 'web/viewer/*.js', 'tests/browser/*.mjs'];
 
 export default [
   eslint.configs.recommended,

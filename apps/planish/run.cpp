@@ -8,6 +8,7 @@
 
 #include "batch/stated_units.h"
 #include "help.h"
+#include "model/project_file.h"
 #include "parse.h"
 #include "shell/command.h"
 #include "shell/failures.h"
@@ -41,7 +42,8 @@ CommandResult obey(std::span<const std::string> args, std::ostream& err,
   Session session(parsed.arguments, err, context);
   for (const std::string& note : parsed.notes)
     session.note(note);
-  return parsed.command->run(with_stated_unit(*parsed.command, parsed.arguments, session), session);
+  const Arguments arguments = with_project(*parsed.command, parsed.arguments);
+  return parsed.command->run(with_stated_unit(*parsed.command, arguments, session), session);
 }
 
 /// The outcome of a failed run. To be called while its exception is being handled.

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include <planish/core/error.h>
@@ -76,7 +78,59 @@ void check_seam(const SeamNotch& notch, std::size_t seam_count) {
                                    : "seams are numbered from 1 to " + last));
 }
 
+/// The place of a side that is nearest to a point.
+struct PlaceOnSide {
+  double distance = std::numeric_limits<double>::infinity();
+  double share = 0.0;      ///< of the side's length
+  double mean_edge = 0.0;  ///< of the side
+};
+
+PlaceOnSide nearest_on(const SeamSide& side, std::span<const Vec3> positions, Vec3 point) {
+  const std::vector<Vec3> line = line_of(side, positions);
+  PlaceOnSide best;
+  double before = 0.0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vec3 edge = line[k + 1] - line[k];
+    const double square = dot(edge, edge);
+    const double along =
+        square > 0.0 ? std::clamp(dot(point - line[k], edge) / square, 0.0, 1.0) : 0.0;
+    const double distance = norm(line[k] + along * edge - point);
+    if (distance < best.distance) best = {distance, before + along * norm(edge)};
+    before += norm(edge);
+  }
+  best.share = before > 0.0 ? best.share / before : 0.0;
+  best.mean_edge = before / static_cast<double>(line.size() - 1);
+  return best;
+}
+
 }  // namespace
+
+std::vector<SeamNotch> seam_notches_at(std::span<const Vec3> places, std::span<const Seam> seams,
+                                       std::span<const TriMesh> patches) {
+  constexpr double k_reach = 3.0;  // mean edges
+  std::vector<SeamNotch> notches;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    PlaceOnSide best;
+    SeamNotch notch;
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+      const SeamSide& first = seams[s].sides[0];
+      const PlaceOnSide near = nearest_on(first, patches[first.patch].positions, places[k]);
+      if (!(near.distance < best.distance)) continue;
+      best = near;
+      notch.seam = s;
+      notch.place = near.share;
+    }
+    if (!notch.seam || best.distance > k_reach * best.mean_edge) {
+      throw Error(ErrorCode::misplaced_notch,
+                  "notch " + std::to_string(k + 1) + " is on no seam: " +
+                      (notch.seam ? fixed_text(best.distance, 3) + " from the nearest one"
+                                  : "no two borders run along each other"),
+                  {.path = {}, .first = k});
+    }
+    notches.push_back(notch);
+  }
+  return notches;
+}
 
 std::vector<std::vector<Notch>> notches_of_patches(std::span<const SeamNotch> notches,
                                                    std::span<const Seam> seams,

@@ -7,7 +7,7 @@ import { basename, join, resolve } from 'node:path';
 import test, { after, before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-import { drawnText, flattenWords, readProject, seamsFile } from '../../web/app/project.js';
+import { filesOf, flattenWords, projectText, readProject } from '../../web/app/project.js';
 import { openPage, skip, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
 
 const [program, modules] = process.argv.slice(2);
@@ -82,17 +82,41 @@ async function savedProject(page) {
 
 // What the program writes for a project, by itself.
 let runs = 0;
-function patternOf(project, model) {
+function patternOf(project, model, words = flattenWords(project, 'pattern')) {
   const place = join(folder, String(++runs));
   mkdirSync(place);
   copyFileSync(model, join(place, project.model));
-  writeFileSync(join(place, seamsFile), drawnText(project.lines.filter(({ kind }) => kind === 'drawn')));
+  writeFileSync(join(place, 'project.json'), projectText(project));
+  if (words[1] !== 'project.json') {
+    for (const [name, text] of filesOf(project)) writeFileSync(join(place, name), text);
+  }
   try {
-    execFileSync(resolve(program), flattenWords(project, 'pattern'), { cwd: place, stdio: 'pipe' });
+    execFileSync(resolve(program), words, { cwd: place, stdio: 'pipe' });
   } catch (error) {
     if (error.status !== 3) throw error; // written all the same
   }
   return (path) => readFileSync(join(place, 'pattern', path));
+}
+
+// What the program writes for a project's file.
+const patternOfFile = (project, model) => patternOf(project, model, ['flatten', 'project.json', '-o', 'pattern']);
+
+// All patterns that the page gives, against what the program writes.
+async function expectZipOf(page, ...owns) {
+  const zip = unzipped(await downloaded(page, '[data-download=zip]'));
+  const paths = [...zip.keys()].filter((path) => /\.(svg|dxf|pdf|plt|obj)$/.test(path));
+  assert.ok(paths.length > 4, String([...zip.keys()]));
+  for (const own of owns) {
+    for (const path of paths) assert.ok(zip.get(path).equals(own(path)), path);
+  }
+  return paths;
+}
+
+// Opens a project of a model that is open.
+async function openProject(page, project) {
+  const file = join(folder, 'some.planish.json');
+  writeFileSync(file, projectText(project));
+  await makes(page, () => choose(page, file));
 }
 
 // The files of a zip that stores them as they are.
@@ -108,8 +132,9 @@ function unzipped(bytes) {
 }
 
 async function expectPatternsOf(page, own) {
-  for (const kind of ['svg', 'dxf', 'pdf']) {
-    assert.ok((await downloaded(page, `[data-download=${kind}]`)).equals(own(`pattern.${kind}`)), kind);
+  for (const kind of ['svg', 'dxf', 'pdf', 'plt', 'obj']) {
+    const name = kind === 'obj' ? 'textured.obj' : `pattern.${kind}`;
+    assert.ok((await downloaded(page, `[data-download=${kind}]`)).equals(own(name)), kind);
   }
 }
 
@@ -189,21 +214,94 @@ test('a model that is divided has its pieces named and left out', { skip: !exist
       await name.press('Enter');
     });
     const named = await savedProject(page);
-    const zip = unzipped(await downloaded(page, '[data-download=zip]'));
-    const own = patternOf(named, model);
-    const patterns = [...zip.keys()].filter((path) => path.endsWith('pattern.svg'));
-    assert.equal(patterns.length, 2);
-    for (const path of patterns) assert.ok(zip.get(path).equals(own(path)), path);
+    const paths = await expectZipOf(page, patternOf(named, model), patternOfFile(named, model));
+    assert.equal(paths.filter((path) => path.endsWith('pattern.svg')).length, 2);
   }));
 
+test('lines are mirrored, notches set on both sides, and all of it undone', { skip: !existsSync(data) && 'no real data' }, () =>
+  withApp({}, async (page) => {
+    const model = join(data, 'products/hat.obj');
+    await makes(page, () => choose(page, model));
+    await openProject(page, { ...(await savedProject(page)), lines: [{ kind: 'shortest', points: across(model) }] });
+    await makes(page, () => page.click('text=Mirror lines'));
+    // The hat is nearly symmetric: one half of it is taken for both.
+    assert.match((await savedProject(page)).symmetric, /^x=-0\.0066/);
+
+    await page.click('.lines .name');
+    const box = await page.locator('.handle:not([hidden])').first().boundingBox();
+    await page.click('text=Set notches');
+    await makes(page, () => page.mouse.click(box.x + box.width / 2, box.y + box.height / 2));
+    const notched = await savedProject(page);
+    assert.equal(notched.notches.length, 1);
+    assert.equal(await page.locator('.notch').count(), 1);
+    await expectZipOf(page, patternOf(notched, model), patternOfFile(notched, model));
+
+    await makes(page, () => page.click('text=Undo'));
+    assert.equal(await page.locator('.notch').count(), 0);
+    await makes(page, () => page.click('text=Undo'));
+    assert.equal((await savedProject(page)).symmetric, '');
+    await makes(page, () => page.click('text=Undo'));
+    assert.deepEqual((await savedProject(page)).lines, []);
+  }));
+
+test('proposed darts are lines that can be moved', () =>
+  withApp({}, async (page) => {
+    await makes(page, () => page.click('[data-sample=dome]'));
+    await makes(page, () => page.click('text=Propose darts'));
+    const { lines } = await savedProject(page);
+    assert.ok(lines.length > 0);
+    assert.ok(lines.every(({ kind, points }) => kind === 'shortest' && points.length < 12));
+  }));
+
+// Delays of quick looks while a point of a line is dragged about.
+async function delaysOf(page, moves) {
+  await page.click('.lines .name');
+  const box = await page.locator('.handle:not([hidden])').nth(1).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const delays = [];
+  for (let i = 1; i <= moves; ++i) {
+    const count = Number(await page.$eval('#app', (root) => root.dataset.sketched ?? 0));
+    await page.mouse.move(x + 30 * Math.sin(i), y + 20 * Math.cos(i));
+    await page.waitForFunction((least) => Number(document.getElementById('app').dataset.seen ?? 0) > least, count);
+    delays.push(Number(await page.$eval('#app', (root) => root.dataset.delay)));
+  }
+  await page.mouse.up();
+  return delays.sort((a, b) => a - b);
+}
+
+for (const vertices of [5000, 50000]) {
+  test(`a line that is moved is cut and laid flat at once, of ${vertices} vertices`, () =>
+    withApp({}, async (page) => {
+      const model = join(folder, `dome${vertices}.obj`);
+      execFileSync(resolve(program), ['sample', 'dome', '--vertices', String(vertices), '-o', model]);
+      const start = performance.now();
+      await choose(page, model);
+      await page.waitForFunction(() => document.getElementById('app').dataset.seen);
+      const first = performance.now() - start;
+      const points = across(model, ([x]) => x, ([, , z]) => z);
+      const lines = [{ kind: 'shortest', points }];
+      const file = join(folder, 'line.planish.json');
+      writeFileSync(file, projectText({ ...(await savedProject(page)), lines }));
+      const count = await page.$eval('#app', (root) => Number(root.dataset.sketched));
+      await choose(page, file);
+      await page.waitForFunction((least) => Number(document.getElementById('app').dataset.seen) > least, count);
+      const delays = await delaysOf(page, 15);
+      const middle = delays[Math.floor(delays.length / 2)];
+      console.log(`# ${vertices} vertices: first look ${first.toFixed(0)} ms, moved point ${middle.toFixed(0)} ms (median)`);
+      await page.click('text=Cancel').catch(() => {});
+    }));
+}
+
 // Points of a line from border to border over the top.
-function across(model) {
+function across(model, along = ([, , z]) => z, up = ([, y]) => y) {
   const points = readFileSync(model, 'utf8')
     .split('\n')
     .filter((row) => row.startsWith('v '))
     .map((row) => row.split(/\s+/).slice(1, 4).map(Number));
   const best = (score) => points.reduce((most, point) => (score(point) > score(most) ? point : most));
-  return [best(([, , z]) => z), best(([, y]) => y), best(([, , z]) => -z)];
+  return [best(along), best(up), best((point) => -along(point))];
 }
 
 test('files that are no models are refused in words, and the page goes on', () =>
@@ -249,18 +347,37 @@ test('a line is drawn by keys alone', () =>
     for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Space');
     await page.keyboard.press('Enter');
-    // It parts nothing, and the program says so.
-    await page.waitForSelector('.alert:not([hidden])');
-    assert.match(await page.textContent('.alert'), /nothing is left to cut/);
+    // It parts nothing, which is no error: the pattern is that without it.
+    await page.waitForFunction(() => /Line 1 cuts nothing yet/.test(document.querySelector('.hint').textContent));
+    assert.equal(await page.locator('.alert:not([hidden])').count(), 0);
     const { lines } = await savedProject(page);
     assert.equal(lines[0].points.length, 2);
     await page.locator('.handle').first().focus();
     await page.keyboard.press('ArrowRight');
     assert.notDeepEqual((await savedProject(page)).lines, lines);
+    await makes(page, () => page.click('[aria-label="Delete line 1"]'));
+    assert.equal(await page.textContent('.hint'), '');
+  }));
+
+test('work is kept in the browser, unless that is switched off', () =>
+  withApp({}, async (page) => {
+    await makes(page, () => page.click('[data-sample=cone]'));
     await makes(page, async () => {
-      await page.evaluate(() => (document.querySelector('.alert').hidden = true));
-      await page.click('[aria-label="Delete line 1"]');
+      await page.fill('.field:has-text("Allowance") input', '7');
+      await page.keyboard.press('Tab');
     });
+    await page.waitForTimeout(1000);
+    await page.reload();
+    await page.waitForSelector('#app[data-ready]', { timeout: 60000 });
+    await makes(page, () => page.click('[data-work]'));
+    assert.equal((await savedProject(page)).allowance, '7mm');
+
+    await page.click('text=Keep my work');
+    await page.waitForTimeout(300);
+    await page.reload();
+    await page.waitForSelector('#app[data-ready]', { timeout: 60000 });
+    assert.equal(await page.locator('[data-work]').count(), 0);
+    assert.equal(await page.isChecked('.keeping input'), false);
   }));
 
 test('on a phone all is within the width', () =>

@@ -6,6 +6,7 @@
 
 #include "cli_run.h"
 #include "commands/commands.h"
+#include "output/app_page.h"
 #include "support/meshes.h"
 #include "support/products.h"
 #include "text/json_text.h"
@@ -58,6 +59,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
+      {"app", {"app", "-o", "app.html"}},
       {"materials", {"materials"}},
       {"describe", {"describe"}},
       {"completion", {"completion", "fish"}},
@@ -65,6 +67,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"doctor", {"doctor"}}};
   for (const Command& command : commands()) {
     ASSERT_TRUE(runs.contains(command.name)) << command.name;
+    if (command.name == "app" && app_page().empty()) continue;
     Names args = runs.at(command.name);
     args.push_back("--json");
     const CliResult result = planish(args);

@@ -5,7 +5,7 @@ import { crc32 } from 'node:zlib';
 
 import { colorLimit, joined, likelyUnit, rowsOf, sizeText, vertexStrain } from '../../web/app/mesh.js';
 import { simplified } from '../../web/app/simplify.js';
-import { zipOf } from '../../web/app/zip.js';
+import { zipOf } from '../../web/app/packing/zip.js';
 
 test('the strain of a vertex is the mean around it', () => {
   const strain = vertexStrain(new Uint32Array([0, 1, 2, 2, 1, 3]), new Float32Array([0.5, -0.25]), 4);

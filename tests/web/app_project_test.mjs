@@ -4,15 +4,22 @@ import test from 'node:test';
 
 import {
   History,
+  cutsOf,
   drawnText,
+  filesOf,
   flattenWords,
+  lineWord,
   linesOf,
   newProject,
   panelsWords,
   projectText,
   readProject,
   shellText,
+  sketchWords,
 } from '../../web/app/project.js';
+import { lineHint } from '../../web/app/words.js';
+
+const all = ['--formats', 'svg,dxf,pdf,plt', '--textured'];
 
 const hat = {
   ...newProject('hat.obj', 'ab12'),
@@ -24,14 +31,43 @@ const hat = {
   names: { 'hat-1': 'crown', 'hat-2': 'hat-2' },
   without: ['hat-3'],
   allowance: '10mm',
+  symmetric: 'x=-0.5',
+  notches: [[0, 0, 1], [0.25, 1, 0]],
 };
 
 test('a project is a command line of the program', () => {
   assert.deepEqual(flattenWords(hat, 'out'), [
     'flatten', 'hat.obj', '--unit', 'dm', '--cut', 'line 0,0,1 0.5,2,-1e-7', '--cut', 'seams.obj',
-    '--rename', 'hat-1=crown', '--without', 'hat-3', '--allowance', '10mm', '-o', 'out',
+    '--symmetric', 'x=-0.5', '--mirror-surface', '--rename', 'hat-1=crown', '--without', 'hat-3',
+    '--allowance', '10mm', '--seam-notches', 'notches.obj', ...all, '-o', 'out',
   ]);
-  assert.deepEqual(flattenWords(newProject('a.ply', ''), 'out'), ['flatten', 'a.ply', '-o', 'out']);
+  assert.deepEqual(flattenWords(newProject('a.ply', ''), 'out'), ['flatten', 'a.ply', ...all, '-o', 'out']);
+});
+
+test('a quick look is cut as the pattern is', () => {
+  assert.deepEqual(sketchWords(hat), [
+    'flatten', 'hat.obj', '--cut', 'line 0,0,1 0.5,2,-1e-7', '--cut', 'seams.obj', '--symmetric', 'x=-0.5', '--mirror-surface',
+  ]);
+  assert.ok(!sketchWords({ ...hat, symmetric: 'auto' }).includes('--mirror-surface'));
+});
+
+test('the files that words name are there', () => {
+  const files = new Map(filesOf(hat));
+  assert.deepEqual([...files.keys()], ['seams.obj', 'notches.obj']);
+  assert.equal(files.get('notches.obj'), 'v 0 0 1\nv 0.25 1 0\np 1 2\n');
+  assert.deepEqual(filesOf({ ...hat, lines: [], notches: [] }), []);
+});
+
+test('proposed darts are read', () => {
+  assert.deepEqual(cutsOf('# darts\n3 4, 5\n\n7 8 # tip\n'), [[3, 4, 5], [7, 8]]);
+});
+
+test('a hint names the lines that cut nothing', () => {
+  const [line] = hat.lines;
+  assert.equal(lineHint(hat, ''), '');
+  assert.equal(lineHint(hat, 'note: something else'), '');
+  assert.match(lineHint(hat, `error: --cut ${lineWord(line)}: nothing is left to cut`), /^Line 1 cuts nothing yet/);
+  assert.match(lineHint(hat, 'error: nothing is left to cut'), /^These lines cut nothing yet/);
 });
 
 test('panels keep the limit of the project, else the one that is given', () => {
@@ -61,6 +97,9 @@ test('files that are no project are refused with words', () => {
     [JSON.stringify({ ...packed(), version: '<b>'.repeat(100) }), /version <b>/],
     [JSON.stringify({ ...packed(), unit: 'ell' }), /unit/],
     [JSON.stringify({ ...packed(), model: 7 }), /model/],
+    [JSON.stringify({ ...packed(), symmetric: '; rm' }), /plane/],
+    [JSON.stringify({ ...packed(), notches: [[0, 0]] }), /notch/],
+    [JSON.stringify({ ...packed(), names: { 'hat-1': 'a\nb' } }), /name/],
     [JSON.stringify({ ...packed(), lines: {} }), /lists/],
     [JSON.stringify({ ...packed(), lines: [null] }), /line/],
     [JSON.stringify({ ...packed(), lines: [{ kind: 'shortest', points: [[0, 0, 0]] }] }), /line/],
@@ -69,6 +108,12 @@ test('files that are no project are refused with words', () => {
   ]) {
     assert.throws(() => readProject(text), words, text);
   }
+});
+
+test('a project file without the later keys is read', () => {
+  const { symmetric, notches, ...packed } = JSON.parse(projectText(hat));
+  assert.ok(symmetric && notches);
+  assert.deepEqual(readProject(JSON.stringify(packed)), { ...hat, symmetric: '', notches: [] });
 });
 
 test('what a project file has beside is dropped', () => {

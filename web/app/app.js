@@ -1,76 +1,67 @@
 // The page: a model, the seams drawn on it, and its pattern.
-import { colorOf, gradientOf } from '../viewer/color_scale.js';
+import { colorOf } from '../viewer/color_scale.js';
 import { countText, make } from '../viewer/dom.js';
 import { spaceCanvas } from '../viewer/patch_view.js';
 import { download } from './downloads.js';
 import { Ended } from './engine.js';
 import { Frame } from './frame.js';
-import { colorLimit, joined, likelyUnit } from './mesh.js';
+import { Keeping } from './keeping.js';
+import { Live } from './live.js';
+import { likelyUnit } from './mesh.js';
+import { Notches } from './notches.js';
+import { Picture, tintOf } from './picture.js';
 import {
   History,
-  drawnText,
+  filesOf,
   flattenWords,
-  linesOf,
   newProject,
-  panelsWords,
   projectText,
   readProject,
-  seamsFile,
 } from './project.js';
 import { Seams } from './seams.js';
 import { Stage } from './stage.js';
-import { errorOf, fileName, hashOf, stages } from './words.js';
+import { errorOf, fileName, hashOf, lineHint, stages } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Outcome} Outcome */
+/** @typedef {import('./engine.js').SketchPieces} SketchPieces */
 /** @typedef {import('./engine.js').Surface} Surface */
 /** @typedef {import('./project.js').Project} Project */
-/** @typedef {import('../viewer/color_scale.js').Color} Color */
 
 const out = 'pattern'; // the folder that the program writes into
 const much = 50000; // vertices from which on it takes long
 const wait = 200; // ms after a change until the pattern is made anew
-
-/** Colours of pieces, told apart by colour-blind eyes as well. @type {Color[]} */
-const tints = [
-  [120, 170, 219],
-  [240, 178, 90],
-  [116, 190, 160],
-  [214, 140, 186],
-  [217, 208, 107],
-  [158, 150, 214],
-  [222, 140, 120],
-  [150, 196, 206],
-];
 
 export class App {
   /**
    * @param {HTMLElement} root
    * @param {Engine} jobs runs the program
    * @param {Engine} pen draws lines meanwhile
+   * @param {Engine} sketcher gives the quick look
    */
-  constructor(root, jobs, pen) {
+  constructor(root, jobs, pen, sketcher) {
     this.jobs = jobs;
     this.pen = pen;
     /** @type {Surface | null} */
     this.surface = null;
-    /** @type {Stage | null} */
-    this.stage = null;
     this.history = new History(newProject('', ''));
     /** @type {Map<string, Uint8Array>} */
     this.maps = new Map();
     /** @type {Outcome | null} */
     this.outcome = null;
-    /** The pieces of the last outcome as one mesh. @type {ReturnType<typeof joined> | null} */
-    this.body = null;
-    this.colorBy = /** @type {'stretch' | 'pieces'} */ ('stretch');
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
     /** @type {Promise<void>} */
     this.running = Promise.resolve();
+    this.keeping = new Keeping();
     this.seams = new Seams(this);
+    this.notches = new Notches(this);
     this.root = root;
     this.frame = new Frame(root, this);
+    this.picture = new Picture(this.frame, this.maps);
+    this.live = new Live(sketcher, (project, sketch) => this.showSketch(project, sketch), (delay) => {
+      Object.assign(root.dataset, { delay: String(delay), seen: root.dataset.sketched });
+    });
     this.listen(root);
     jobs.onProgress = (progress) => this.showProgress(progress);
     void this.begin();
@@ -80,12 +71,42 @@ export class App {
     return this.history.now;
   }
 
+  get stage() {
+    return this.picture.stage;
+  }
+
   async begin() {
     try {
       this.maps.set('diverging', await this.pen.call('colorMap', 'diverging'));
       const { out: text } = await this.jobs.call('run', ['materials', '--json']);
       this.frame.patternPart.offer(JSON.parse(text).materials);
+      await this.offerEarlier();
       this.root.dataset.ready = 'yes';
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** Offers what earlier tabs left. */
+  async offerEarlier() {
+    const { keeping } = this;
+    const canKeep = await keeping.open();
+    const works = (await keeping.earlier()).map(({ name, time, bytes, project }) => ({
+      text: `${name}, ${new Date(time).toLocaleString()}`,
+      open: () => void this.goOn(name, bytes, project),
+    }));
+    this.frame.keepingPart.show(canKeep, keeping.isWanted, works);
+  }
+
+  /**
+   * @param {string} name
+   * @param {Uint8Array<ArrayBuffer>} bytes
+   * @param {string} project
+   */
+  async goOn(name, bytes, project) {
+    try {
+      await this.openModel(name, bytes);
+      await this.openProject(project);
     } catch (error) {
       this.fail(error);
     }
@@ -156,22 +177,20 @@ export class App {
     this.frame.alert.hidden = true;
     this.say(`Reading ${name}`);
     const hash = await hashOf(bytes);
+    const kept = bytes.slice();
     await this.pen.write(name, bytes.slice());
     /** @type {Surface} */
     const surface = await this.pen.call('openSurface', name);
-    for (const other of this.jobs.files.keys()) {
-      if (other === name) continue;
-      this.jobs.files.delete(other);
-      this.pen.files.delete(other);
-      await this.pen.call('remove', other);
-      await this.jobs.call('remove', other);
+    for (const engine of [this.jobs, this.pen]) {
+      for (const other of [...engine.files.keys()].filter((file) => file !== name)) await engine.remove(other);
     }
+    void this.live.open(name, bytes.slice()).then(() => this.live.ask(this.seams.asShown()), () => {});
     await this.jobs.write(name, bytes);
     this.surface = surface;
+    this.keeping.model = { name, bytes: kept };
     const unit = surface.unit || likelyUnit(surface.positions);
     this.history = new History({ ...newProject(name, hash), unit });
     this.outcome = null;
-    this.body = null;
     this.seams.reset();
     this.showModel();
     this.refresh();
@@ -193,18 +212,20 @@ export class App {
     const { surface } = this;
     if (!surface) return;
     this.stage?.dispose();
-    this.stage = null;
     const space = spaceCanvas();
     if (space) {
-      this.stage = new Stage(space, surface, this.maps, {
-        hovered: (vertex) => this.mark(vertex),
-        clicked: (place, line) => this.seams.click(place, line),
+      const stage = new Stage(space, surface, this.maps, {
+        hovered: (vertex) => this.picture.mark(vertex),
+        clicked: (place, line) => (this.notches.isOn ? this.notches : this.seams).click(place, line),
+        unnotched: (index) => this.notches.remove(index),
         moved: (index, place, isDone) => this.seams.movePoint(index, place, isDone),
         removed: (index) => this.seams.removePoint(index),
       });
-      this.frame.place.replaceChildren(this.stage.view.root);
-      this.stage.view.plain();
+      this.picture.begin(stage);
+      this.frame.place.replaceChildren(stage.view.root);
+      stage.view.plain();
     } else {
+      this.picture.begin(null);
       const textContent = 'This browser cannot draw in space (no WebGL). Patterns can be made all the same.';
       this.frame.place.replaceChildren(make('p', { className: 'empty', textContent }));
     }
@@ -220,7 +241,6 @@ export class App {
     this.frame.seamPart.root.hidden = false;
     this.frame.patternPart.root.hidden = false;
     this.frame.saveButton.disabled = false;
-    this.frame.sheet.show([]);
     this.frame.verdict.textContent = '';
     this.frame.downloads.show(this.project, null, out);
   }
@@ -273,14 +293,22 @@ export class App {
     this.frame.unitPart.show(surface.positions, project.unit, surface.unit);
     this.frame.patternPart.show(project);
     this.seams.show();
+    this.live.ask(this.seams.asShown());
+    this.frame.downloads.wait();
+    this.keeping.keep(project);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.make(), wait);
   }
 
-  /** Ends a job that runs, and waits for its end. */
-  async interrupt() {
+  /** Ends a job whose result would be of the past. */
+  supersede() {
     clearTimeout(this.timer);
-    if (this.jobs.isBusy) this.jobs.stop();
+    if (!this.frame.busy.hidden) this.jobs.stop();
+  }
+
+  /** The same, and waits for its end. */
+  async interrupt() {
+    this.supersede();
     await this.running;
   }
 
@@ -296,30 +324,25 @@ export class App {
     const { project } = this;
     const stem = project.model.replace(/\.[^.]*$/, '');
     await this.job(async () => {
-      const drawn = project.lines.filter(({ kind }) => kind === 'drawn');
-      if (drawn.length > 0) await this.jobs.write(seamsFile, new TextEncoder().encode(drawnText(drawn)));
       const start = performance.now();
-      /** @type {Outcome} */
-      const outcome = await this.jobs.call('flatten', flattenWords(project, out), out, stem);
+      for (const [name, text] of filesOf(project)) await this.jobs.write(name, new TextEncoder().encode(text));
+      /** @type {(of: Project) => Promise<Outcome>} */
+      const flattened = (of) => this.jobs.call('flatten', flattenWords(of, out), out, stem);
+      let outcome = await flattened(project);
+      this.seams.hint = lineHint(project, outcome.err);
+      let made = project;
+      if (outcome.files.length === 0 && this.seams.hint) {
+        made = { ...project, lines: [] };
+        outcome = await flattened(made);
+      }
+      this.seams.show();
       if (outcome.files.length === 0) throw new Error(errorOf(outcome.err));
       this.outcome = outcome;
-      this.showOutcome(project);
+      this.live.settle(project);
+      this.showOutcome(made);
       const seconds = (performance.now() - start) / 1000;
       this.say(`Pattern made in ${seconds.toFixed(1)} s`);
       this.root.dataset.made = String(Number(this.root.dataset.made ?? 0) + 1);
-    });
-  }
-
-  /** @param {string} rms */
-  async propose(rms) {
-    await this.interrupt();
-    await this.job(async () => {
-      const run = await this.jobs.call('run', panelsWords(this.project, rms));
-      const [file] = await this.jobs.call('files', seamsFile);
-      if (!file) throw new Error(errorOf(run.err));
-      const lines = linesOf(new TextDecoder().decode(file[1]));
-      this.say(`${lines.length} seams proposed`);
-      this.change({ lines, names: {}, without: [] });
     });
   }
 
@@ -340,23 +363,26 @@ export class App {
     if (this.running === all) this.frame.busy.hidden = true;
   }
 
+  /**
+   * @param {Project} project
+   * @param {SketchPieces} sketch of it
+   */
+  showSketch(project, { pieces, hint }) {
+    if (pieces.every(({ flat }) => flat.length > 0)) {
+      const named = pieces.map((piece) => ({ ...piece, name: project.names[piece.name] ?? piece.name, figures: null }));
+      this.picture.show(named);
+      this.frame.verdict.textContent = 'A quick look; the pattern follows.';
+    }
+    this.seams.hint = lineHint(project, hint);
+    this.seams.show();
+    this.root.dataset.sketched = String(Number(this.root.dataset.sketched ?? 0) + 1);
+  }
+
   /** @param {Project} project that the outcome is of */
   showOutcome(project) {
     const { outcome } = this;
     if (!outcome) return;
-    const { pieces } = outcome;
-    this.body = joined(pieces);
-    const { stage, body } = this;
-    if (stage && pieces.length > 0) {
-      stage.view.replace({
-        ...stage.plainPatch,
-        positions: [body.positions],
-        triangles: body.triangles,
-        pieces: { of: body.of, ways: body.ways, colors: pieces.map((_, k) => tints[k % tints.length]), lines: [] },
-      });
-    }
-    this.frame.sheet.show(pieces);
-    this.paint();
+    this.picture.show(outcome.pieces);
     this.frame.verdict.textContent = this.verdictText();
     this.showPieces(project);
     this.frame.downloads.show(project, outcome, out);
@@ -378,41 +404,10 @@ export class App {
     const made = outcome.pieces.map(({ name, figures }, k) => ({
       own: own.get(name) ?? name,
       size: figures?.width ? `${Math.round(figures.width)} × ${Math.round(figures.height)} mm` : '',
-      color: colorOf(tints[k % tints.length]),
+      color: colorOf(tintOf(k)),
     }));
     const left = project.without.map((name) => ({ own: name, size: 'left out', color: 'transparent' }));
     this.frame.piecePart.show([...made, ...left], project);
-  }
-
-  /** @param {'stretch' | 'pieces'} by */
-  showColors(by) {
-    this.colorBy = by;
-    this.paint();
-  }
-
-  /** Colours model and pattern. */
-  paint() {
-    const { body, outcome, stage } = this;
-    const map = this.maps.get('diverging');
-    if (!body || !outcome || !map) return;
-    const limit = colorLimit(outcome.pieces.map(({ strain }) => strain));
-    const pieces = outcome.pieces.map((_, k) => tints[k % tints.length]);
-    this.frame.sheet.color({ by: this.colorBy, map, limit, pieces });
-    if (this.colorBy === 'pieces') stage?.view.plain();
-    else stage?.view.color({ values: [body.strain], map: 'diverging', limit, isSigned: true });
-    const bar = make('div', { className: 'bar' });
-    bar.style.background = gradientOf(map);
-    const end = `${Number((100 * limit).toPrecision(2))} %`;
-    const words = [`shorter −${end}`, '0', `longer +${end}`].map((textContent) => make('span', { textContent }));
-    this.frame.scale.replaceChildren(bar, make('div', { className: 'labels' }, ...words));
-    this.frame.scale.hidden = this.colorBy === 'pieces';
-  }
-
-  /** @param {number} vertex of all pieces, or -1 */
-  mark(vertex) {
-    if (!this.body) return;
-    this.stage?.view.mark(vertex);
-    this.frame.sheet.mark(vertex);
   }
 
   /** @param {import('./engine.js').Progress} progress */

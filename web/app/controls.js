@@ -79,6 +79,34 @@ export class FilePart {
   }
 }
 
+/** What earlier tabs left, and whether the browser keeps the work. */
+export class KeepingPart {
+  /** @param {(isOn: boolean) => void} wanted */
+  constructor(wanted) {
+    this.box = make('input', { type: 'checkbox' });
+    this.box.addEventListener('change', () => wanted(this.box.checked));
+    this.list = make('div', { className: 'samples' });
+    this.root = make(
+      'div',
+      { className: 'keeping', hidden: true },
+      this.list,
+      make('label', { className: 'check' }, this.box, 'Keep my work in this browser'),
+    );
+  }
+
+  /**
+   * @param {boolean} canKeep
+   * @param {boolean} isWanted
+   * @param {{text: string, open: () => void}[]} works
+   */
+  show(canKeep, isWanted, works) {
+    this.root.hidden = !canKeep;
+    this.box.checked = isWanted;
+    const buttons = works.map(({ text, open }) => button(`Go on with ${text}`, open, { dataset: { work: '' } }));
+    this.list.replaceChildren(...buttons);
+  }
+}
+
 /** The unit, with what the size of the model would be in each. */
 export class UnitPart {
   /** @param {(unit: string) => void} chosen */
@@ -120,7 +148,10 @@ export class UnitPart {
  * What the part with the seams calls.
  * @typedef {object} SeamListener
  * @property {() => void} draw begins to draw, or ends it
- * @property {(rms: string) => void} propose
+ * @property {(rms: string) => void} propose panels
+ * @property {(strain: string) => void} proposeDarts
+ * @property {(isOn: boolean) => void} mirror
+ * @property {() => void} notch begins to set notches, or ends it
  * @property {(line: number) => void} choose
  * @property {(line: number) => void} remove
  * @property {(line: number) => void} loosen makes a proposed line one whose points can be moved
@@ -141,6 +172,9 @@ export class SeamPart {
     ]) {
       this.limit.append(new Option(text, value, value === '5%', value === '5%'));
     }
+    this.notch = button('Set notches', listener.notch, { ariaPressed: 'false' });
+    this.mirrored = make('input', { type: 'checkbox' });
+    this.mirrored.addEventListener('change', () => listener.mirror(this.mirrored.checked));
     this.hint = make('p', { className: 'hint', role: 'status' });
     this.list = make('ol', { className: 'lines' });
     this.root = part(
@@ -151,18 +185,23 @@ export class SeamPart {
         'div',
         { className: 'row' },
         button('Propose panels', () => listener.propose(this.limit.value)),
+        button('Propose darts', () => listener.proposeDarts(this.limit.value)),
         make('label', {}, 'usual stretch ', this.limit),
       ),
+      make('label', { className: 'check' }, this.mirrored, 'Mirror lines left and right'),
+      make('div', { className: 'row' }, this.notch),
       this.list,
     );
   }
 
   /**
-   * @param {Project['lines']} lines
+   * @param {Project} project
    * @param {number} chosen
    * @param {(line: number) => string} lengthOf
    */
-  show(lines, chosen, lengthOf) {
+  show({ lines, symmetric }, chosen, lengthOf) {
+    this.mirrored.checked = symmetric !== '';
+    this.notch.disabled = lines.length === 0;
     this.list.replaceChildren(
       ...lines.map((line, i) => {
         const length = lengthOf(i);

@@ -2,7 +2,7 @@
 import { make } from '../viewer/dom.js';
 import { button, part } from './controls.js';
 import { flattenWords, shellText } from './project.js';
-import { zipOf } from './zip.js';
+import { zipOf } from './packing/zip.js';
 
 /** @typedef {import('./engine.js').Outcome} Outcome */
 /** @typedef {import('./project.js').Project} Project */
@@ -18,8 +18,14 @@ export function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
-/** @type {Record<string, string>} */
-const kinds = { svg: 'image/svg+xml', dxf: 'image/vnd.dxf', pdf: 'application/pdf' };
+/** What can be taken one by one: what the button says, how files of the program end, and their type. */
+const kinds = /** @type {const} */ ([
+  ['SVG', 'pattern.svg', 'image/svg+xml'],
+  ['DXF', 'pattern.dxf', 'image/vnd.dxf'],
+  ['PDF', 'pattern.pdf', 'application/pdf'],
+  ['PLT', 'pattern.plt', 'application/vnd.hp-hpgl'],
+  ['Textured OBJ', 'textured.obj', 'model/obj'],
+]);
 
 export class DownloadPart {
   constructor() {
@@ -34,6 +40,11 @@ export class DownloadPart {
     this.root.hidden = true;
   }
 
+  /** Until the pattern is that of the last change. */
+  wait() {
+    for (const one of this.row.querySelectorAll('button')) one.disabled = true;
+  }
+
   /**
    * @param {Project} project
    * @param {Outcome | null} outcome
@@ -44,13 +55,15 @@ export class DownloadPart {
     if (!outcome) return;
     const { files } = outcome;
     const stem = project.model.replace(/\.[^.]*$/, '');
-    const patterns = Object.entries(kinds).map(([ending, type]) => {
-      const some = files.filter(([path]) => path.endsWith(`pattern.${ending}`));
+    const patterns = kinds.map(([text, name, type]) => {
+      const ending = name.replace(/.*\./, '');
+      const some = files.filter(([path]) => path === name || path.endsWith(`/${name}`));
       const take = () => {
-        if (some.length === 1) download(`${stem}.${ending}`, new Blob([some[0][1]], { type }));
+        const single = ending === 'obj' ? `${stem}-${name}` : `${stem}.${ending}`;
+        if (some.length === 1) download(single, new Blob([some[0][1]], { type }));
         else download(`${stem}-${ending}.zip`, zipOf(some));
       };
-      return button(ending.toUpperCase(), take, { dataset: { download: ending }, disabled: some.length === 0 });
+      return button(text, take, { dataset: { download: ending }, disabled: some.length === 0 });
     });
     const all = button('All, as zip', () => download(`${stem}-pattern.zip`, zipOf(files)), {
       dataset: { download: 'zip' },

@@ -8,6 +8,9 @@
  * @property {(path: string) => Surface | {error: string}} openSurface
  * @property {(places: number[]) => Float64Array | {error: string}} lineThrough
  * @property {(inSpace: string, flat: string) => Laid | {error: string}} readLaid
+ * @property {() => Symmetry | {error: string}} findPlane
+ * @property {(path: string) => null | {error: string}} openSketch
+ * @property {(words: string[]) => SketchPieces | {error: string}} sketch
  * @property {(name: string) => Uint8Array} colorMap red, green and blue from low to high
  */
 
@@ -18,6 +21,13 @@
  * @property {Uint32Array} triangles
  * @property {number} pieces of the file
  * @property {string} unit that the file states, or ''
+ */
+
+/**
+ * @typedef {object} Symmetry
+ * @property {Float64Array} plane x, y, z of its normal, of length 1, and its offset
+ * @property {number} share of the diagonal, that mirrored vertices are away from the model
+ * @property {boolean} isSymmetric whether that counts as symmetric
  */
 
 /**
@@ -35,19 +45,41 @@
  * @typedef {Run & {pieces: LaidPiece[], report: any, files: [string, Uint8Array<ArrayBuffer>][]}} Outcome
  */
 
+/** @typedef {{pieces: (Laid & {name: string})[], hint: string}} SketchPieces `flat` is empty where a piece has no pattern */
 /** @typedef {{stage: string, share: number, subject: string}} Progress */
 
 /** A job was ended, by a newer one or by the user. */
 export class Ended extends Error {}
 
+/**
+ * Unpacks and compiles the program, in a worker of its own.
+ * @param {string} url of the script of workers
+ * @param {Uint8Array<ArrayBuffer>[]} packed in streams
+ * @returns {Promise<WebAssembly.Module>}
+ */
+export function compiled(url, packed) {
+  return new Promise((done, failed) => {
+    const worker = new Worker(url);
+    worker.addEventListener('error', failed);
+    worker.addEventListener('message', ({ data: { result, error } }) => {
+      worker.terminate();
+      if (error === undefined) done(result);
+      else failed(new Error(error));
+    });
+    worker.postMessage({ id: 0, call: 'compile', values: packed });
+  });
+}
+
 export class Engine {
   /**
-   * @param {string} script of the worker
+   * @param {string} url of the script of the worker
    * @param {Promise<WebAssembly.Module>} module
+   * @param {string} [pageScript] of reports, for an engine that writes them
    */
-  constructor(script, module) {
-    this.url = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+  constructor(url, module, pageScript = '') {
+    this.url = url;
     this.module = module;
+    this.pageScript = pageScript;
     /** Files that are written again when the worker is started again. @type {Map<string, Uint8Array>} */
     this.files = new Map();
     this.calls = 0;
@@ -65,14 +97,10 @@ export class Engine {
       event.preventDefault();
       this.stop('the program ended unexpectedly; it was started again');
     });
-    this.ready = this.module.then((module) => this.post(worker, 'start', [module]));
+    this.ready = this.module.then((module) => this.post(worker, 'start', [module, this.pageScript]));
     this.ready.catch(() => {});
     for (const [name, bytes] of this.files) void this.call('write', name, bytes).catch(() => {});
     return worker;
-  }
-
-  get isBusy() {
-    return this.waiting.size > 0;
   }
 
   /**
@@ -105,6 +133,12 @@ export class Engine {
   write(name, bytes) {
     this.files.set(name, bytes);
     return this.call('write', name, bytes);
+  }
+
+  /** @param {string} name of a file */
+  remove(name) {
+    this.files.delete(name);
+    return this.call('remove', name);
   }
 
   /** @param {{id: number, result?: any, error?: string, progress?: Progress}} message */

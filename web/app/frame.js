@@ -1,6 +1,6 @@
 // The parts of the page, in their places.
 import { make } from '../viewer/dom.js';
-import { FilePart, PatternPart, PiecePart, SeamPart, UnitPart, button } from './controls.js';
+import { FilePart, KeepingPart, PatternPart, PiecePart, SeamPart, UnitPart, button } from './controls.js';
 import { DownloadPart } from './downloads.js';
 import { Sheet } from './sheet.js';
 
@@ -43,11 +43,13 @@ export class Frame {
       (file) => void app.take(file),
       (sample) => void app.openSample(sample),
     );
+    this.keepingPart = new KeepingPart((isOn) => void app.keeping.want(isOn));
+    this.filePart.root.append(this.keepingPart.root);
     this.unitPart = new UnitPart((unit) => app.change({ unit }));
     this.seamPart = new SeamPart(app.seams.listener());
     this.patternPart = new PatternPart((change) => app.change(change));
     this.piecePart = new PiecePart((change) => app.changePiece(change));
-    this.sheet = new Sheet((vertex) => app.mark(vertex));
+    this.sheet = new Sheet((vertex) => app.picture.mark(vertex));
     this.scale = make('div', { className: 'scale', hidden: true });
     this.verdict = make('p', { className: 'verdict' });
     this.downloads = new DownloadPart();
@@ -64,7 +66,7 @@ export class Frame {
     const actions = make('div', { className: 'actions' }, this.undoButton, this.redoButton, this.saveButton);
     const local = make('span', { className: 'local', textContent: 'Runs on this computer; nothing is uploaded' });
     const sides = [this.filePart, this.unitPart, this.seamPart, this.patternPart, this.piecePart];
-    const under = make('div', { className: 'under' }, colorChoice((by) => app.showColors(by)), this.scale);
+    const under = make('div', { className: 'under' }, colorChoice((by) => app.picture.colorBy(by)), this.scale);
     root.append(
       make('header', {}, make('h1', { textContent: 'Planish' }), this.title, actions, local),
       make('aside', {}, ...sides.map((side) => side.root)),

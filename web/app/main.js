@@ -1,25 +1,24 @@
-// Starts the page: takes the program out of it, and gives it to two workers.
+// Gives the program to its workers, and makes the page.
 import { App } from './app.js';
-import { Engine } from './engine.js';
+import { Engine, compiled } from './engine.js';
 
-/** @param {string} id of a block of data in the page */
-function dataOf(id) {
-  return document.getElementById(id)?.textContent ?? '';
-}
-
-async function compiled() {
-  const letters = atob(dataOf('program'));
-  const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
-}
+/**
+ * What the page holds (start.js).
+ * @typedef {object} Parts
+ * @property {string} worker the script of workers
+ * @property {string} pageScript of the program's reports, behind a line with its hash
+ * @property {() => Uint8Array<ArrayBuffer>[]} program as it is packed, in streams
+ */
 
 const root = document.getElementById('app');
 if (root) {
-  const script = new TextDecoder().decode(Uint8Array.from(atob(dataOf('worker')), (letter) => letter.charCodeAt(0)));
-  const module = compiled();
+  /** @type {Parts} */
+  // @ts-expect-error: start.js left it
+  const { worker, pageScript, program } = globalThis.planishParts;
+  const url = URL.createObjectURL(new Blob([worker], { type: 'text/javascript' }));
+  const module = compiled(url, program());
   module.catch(() => {
     root.textContent = 'This browser cannot run the program. It takes Chrome 97, Firefox 113, Safari 16.4 or newer.';
   });
-  new App(root, new Engine(script, module), new Engine(script, module));
+  new App(root, new Engine(url, module, pageScript), new Engine(url, module), new Engine(url, module));
 }

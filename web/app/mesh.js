@@ -156,3 +156,13 @@ export function likelyUnit(positions) {
   const far = (/** @type {string} */ unit) => Math.abs(Math.log(sizeText(positions, unit).largest / 500));
   return ['mm', 'cm', 'dm', 'm'].reduce((best, unit) => (far(unit) < far(best) ? unit : best));
 }
+
+/**
+ * @param {Float32Array} positions
+ * @param {number} vertex
+ * @returns {import('./project.js').Point}
+ */
+export function pointAt(positions, vertex) {
+  const [x, y, z] = [0, 1, 2].map((k) => Number(positions[3 * vertex + k].toPrecision(8)));
+  return [x, y, z];
+}

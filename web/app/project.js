@@ -23,6 +23,9 @@
  * @property {string} strain limit of strain, as "5%"; '' for none
  * @property {string} allowance as "10mm"; '' for none
  * @property {string} paper of the pages to print; '' for none
+ * @property {string} symmetric `auto` where lines are mirrored left and right; a plane as `x=0` where the half of the
+ *   surface with the lines is taken for both; '' where neither
+ * @property {Point[]} notches on seams
  */
 
 export const units = ['mm', 'cm', 'dm', 'm', 'in'];
@@ -46,6 +49,8 @@ export function newProject(model, hash) {
     strain: '',
     allowance: '',
     paper: '',
+    symmetric: '',
+    notches: [],
   };
 }
 
@@ -100,12 +105,27 @@ export function readProject(text) {
   if (!Array.isArray(packed.lines) || !Array.isArray(packed.without)) throw new Error('the project file lacks lists');
   project.lines = packed.lines.map(lineOf);
   project.without = packed.without.map(String);
+  // These two came later.
+  project.symmetric = String(packed.symmetric ?? '');
+  if (!/^(|auto|[xyz]=[-+.\de]+)$/.test(project.symmetric)) throw new Error('the project file has no such plane');
+  if (packed.notches !== undefined) {
+    if (!Array.isArray(packed.notches) || !packed.notches.every(isPoint)) {
+      throw new Error('a notch of the project file is not one');
+    }
+    project.notches = packed.notches;
+  }
   project.names = Object.fromEntries(Object.entries(packed.names ?? {}).map(([key, name]) => [key, String(name)]));
+  if ([...Object.values(project.names), ...project.without].some((name) => /\p{Cc}/u.test(name))) {
+    throw new Error('a name in the project file has control characters');
+  }
   return project;
 }
 
-/** The file that lines of the kind `drawn` go to. */
+/** The files that lines of the kind `drawn` and notches go to. */
 export const seamsFile = 'seams.obj';
+export const notchesFile = 'notches.obj';
+/** That proposed darts come in. */
+export const dartsFile = 'darts.txt';
 
 /**
  * Lines over a model as an .obj has them.
@@ -120,6 +140,27 @@ export function drawnText(lines) {
     count += points.length;
   }
   return `${rows.join('\n')}\n`;
+}
+
+/**
+ * Points over a model as an .obj has them.
+ * @param {Point[]} points
+ */
+function pointsText(points) {
+  return `${points.map((point) => `v ${point.join(' ')}\n`).join('')}p ${points.map((_, i) => i + 1).join(' ')}\n`;
+}
+
+/**
+ * The files that the words of a project name, beside its model.
+ * @param {Project} project
+ * @returns {[string, string][]} name and text
+ */
+export function filesOf({ lines, notches }) {
+  const drawn = lines.filter(({ kind: how }) => how === 'drawn');
+  /** @type {[string, string][]} */
+  const files = drawn.length > 0 ? [[seamsFile, drawnText(drawn)]] : [];
+  if (notches.length > 0) files.push([notchesFile, pointsText(notches)]);
+  return files;
 }
 
 /**
@@ -157,28 +198,58 @@ function limitWords({ material, strain }) {
 }
 
 /**
+ * A line of the kind `shortest` as `--cut` takes it.
+ * @param {Line} line
+ */
+export function lineWord({ points }) {
+  return `line ${points.map((point) => point.join(',')).join(' ')}`;
+}
+
+/**
+ * How the surface is cut.
+ * @param {Project} project
+ */
+function cutWords({ lines, symmetric }) {
+  return [
+    ...lines.filter(({ kind: how }) => how === 'shortest').flatMap((line) => ['--cut', lineWord(line)]),
+    ...(lines.some(({ kind: how }) => how === 'drawn') ? ['--cut', seamsFile] : []),
+    ...(symmetric ? ['--symmetric', symmetric] : []),
+    ...(symmetric && symmetric !== 'auto' ? ['--mirror-surface'] : []),
+  ];
+}
+
+/**
+ * The command line of the program that cuts as a project says, and no more.
+ * @param {Project} project
+ */
+export function sketchWords(project) {
+  return ['flatten', project.model, ...cutWords(project)];
+}
+
+/**
  * The command line of the program that gives the pattern of a project. Lines of the kind `drawn` are in `seamsFile`.
  * @param {Project} project
  * @param {string} folder where it is written
  * @returns {string[]}
  */
 export function flattenWords(project, folder) {
-  const { lines, names, without, allowance, paper } = project;
+  const { names, without, allowance, paper, notches } = project;
   const renamed = Object.entries(names)
     .filter(([old, name]) => name !== '' && name !== old)
     .map(([old, name]) => `${old}=${name}`);
   return [
     'flatten',
     ...modelWords(project),
-    ...lines
-      .filter((line) => line.kind === 'shortest')
-      .flatMap((line) => ['--cut', `line ${line.points.map((point) => point.join(',')).join(' ')}`]),
-    ...(lines.some((line) => line.kind === 'drawn') ? ['--cut', seamsFile] : []),
+    ...cutWords(project),
     ...limitWords(project),
     ...(renamed.length > 0 ? ['--rename', renamed.join(',')] : []),
     ...(without.length > 0 ? ['--without', without.join(',')] : []),
     ...(allowance ? ['--allowance', allowance] : []),
     ...(paper ? ['--paper', paper] : []),
+    ...(notches.length > 0 ? ['--seam-notches', notchesFile] : []),
+    '--formats',
+    'svg,dxf,pdf,plt',
+    '--textured',
     '-o',
     folder,
   ];
@@ -192,6 +263,29 @@ export function flattenWords(project, folder) {
 export function panelsWords(project, rms) {
   const limit = limitWords(project);
   return ['panels', ...modelWords(project), ...(limit.length > 0 ? limit : ['--max-rms-strain', rms]), '-o', seamsFile];
+}
+
+/**
+ * The command line that proposes darts.
+ * @param {Project} project
+ * @param {string} strain limit, as "5%"; where the project has none of its own
+ */
+export function dartsWords(project, strain) {
+  const limit = limitWords(project);
+  return ['suggest-cuts', ...modelWords(project), ...(limit.length > 0 ? limit : ['--max-strain', strain]), '-o', dartsFile];
+}
+
+/**
+ * The cuts of such a file, by the numbers of vertices.
+ * @param {string} text
+ * @returns {number[][]}
+ */
+export function cutsOf(text) {
+  return text
+    .split('\n')
+    .map((row) => row.replace(/#.*/, '').trim())
+    .filter((row) => row !== '')
+    .map((row) => row.split(/[\s,]+/).map(Number));
 }
 
 /**

@@ -1,10 +1,13 @@
 // Drawing seams: the line that is being drawn, the one that is chosen, and the ways of all over the surface.
 import { Ended } from './engine.js';
+import { proposeDarts, proposePanels } from './proposals.js';
 import { loosened } from './simplify.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./project.js').Line} Line */
 /** @typedef {import('./project.js').Point} Point */
+
+const nearly = 0.03; // of the diagonal: how far from symmetric a model may be whose one half is taken for both
 
 export class Seams {
   /** @param {App} app */
@@ -18,12 +21,19 @@ export class Seams {
     /** Ways over the surface, by the points they go through. @type {Map<string, Float64Array>} */
     this.paths = new Map();
     this.isTracing = false;
+    /** What the lines still lack to cut. */
+    this.hint = '';
+    /** Null where it is not known. @type {import('./engine.js').Symmetry | null} */
+    this.symmetry = null;
   }
 
   listener() {
     return {
       draw: () => (this.draft ? this.finish() : this.start()),
-      propose: (/** @type {string} */ rms) => void this.app.propose(rms),
+      propose: (/** @type {string} */ rms) => void proposePanels(this.app, rms),
+      proposeDarts: (/** @type {string} */ strain) => void proposeDarts(this.app, strain),
+      mirror: (/** @type {boolean} */ isOn) => void this.mirror(isOn),
+      notch: () => this.app.notches.toggle(),
       choose: (/** @type {number} */ line) => this.choose(line === this.chosen ? -1 : line),
       remove: (/** @type {number} */ line) => this.removeLine(line),
       loosen: (/** @type {number} */ line) => this.loosen(line),
@@ -34,7 +44,14 @@ export class Seams {
     this.draft = null;
     this.chosen = -1;
     this.dragged = null;
+    this.hint = '';
+    this.symmetry = null;
     this.paths.clear();
+  }
+
+  /** The project with its lines as they are shown right now. */
+  asShown() {
+    return { ...this.app.project, lines: this.linesShown() };
   }
 
   get lines() {
@@ -102,7 +119,7 @@ export class Seams {
   loosen(line) {
     const surface = this.app.surface;
     if (!surface) return;
-    const loose = loosened(this.lines[line], surface.positions);
+    const loose = loosened(this.lines[line].points, surface.positions);
     this.chosen = line;
     this.app.change({ lines: this.lines.map((one, i) => (i === line ? loose : one)) });
   }
@@ -120,12 +137,14 @@ export class Seams {
     const points = line.points.map((point, i) => (i === index || (isClosed && index === 0 && i === last) ? place : point));
     const moved = { ...line, points };
     if (!isDone) {
+      this.app.supersede();
       this.dragged = moved;
       this.show();
+      this.app.live.ask(this.asShown());
       return;
     }
     this.dragged = null;
-    if (String(points) === String(line.points)) this.show();
+    if (String(points) === String(line.points)) this.app.refresh();
     else this.app.change({ lines: this.lines.map((one, i) => (i === this.chosen ? moved : one)) });
   }
 
@@ -136,6 +155,23 @@ export class Seams {
     const points = line.points.filter((_, i) => i !== index);
     if (points.length < 2) this.removeLine(this.chosen);
     else this.app.change({ lines: this.lines.map((one, i) => (i === this.chosen ? { ...line, points } : one)) });
+  }
+
+  /** @param {boolean} isOn whether lines are mirrored in the plane of symmetry */
+  async mirror(isOn) {
+    try {
+      if (isOn) this.symmetry ??= await this.app.pen.call('findPlane');
+      this.app.change({ symmetric: isOn && this.symmetry ? planeWord(this.symmetry) : '' });
+    } catch (error) {
+      this.show();
+      this.app.fail(error);
+    }
+  }
+
+  /** The mirror images of lines, where there are any. @param {{path: ArrayLike<number>}[]} shown */
+  images(shown) {
+    const plane = this.symmetry?.plane;
+    return plane && this.app.project.symmetric ? shown.map(({ path }) => mirrored(path, plane)) : [];
   }
 
   /** @returns {boolean} whether a point of the line that is being drawn was taken back */
@@ -166,9 +202,17 @@ export class Seams {
     }
   }
 
-  /** Lines as they are shown: those of the project, with changes that are not done yet, and the one being drawn. */
+  /**
+   * Those of the project, with changes that are not done yet.
+   * @returns {Line[]}
+   */
+  linesShown() {
+    return this.lines.map((line, i) => (i === this.chosen && this.dragged ? this.dragged : line));
+  }
+
+  /** Lines as they are shown, and the one being drawn. */
   shown() {
-    const lines = this.lines.map((line, i) => (i === this.chosen && this.dragged ? this.dragged : line));
+    const lines = this.linesShown();
     /** @type {Line[]} */
     const all = this.draft?.length ? [...lines, { kind: 'shortest', points: this.draft }] : lines;
     return all.map((line) => ({
@@ -189,17 +233,16 @@ export class Seams {
     const { app } = this;
     const shown = this.shown();
     app.stage?.draws(this.draft !== null);
-    app.stage?.showLines(shown, this.draft?.length ? shown.length - 1 : this.chosen);
+    app.stage?.showLines(shown, this.draft?.length ? shown.length - 1 : this.chosen, this.images(shown));
     const { draw, hint } = app.frame.seamPart;
     draw.setAttribute('aria-pressed', String(this.draft !== null));
     draw.textContent = this.draft ? 'Finish the line' : 'Draw a line';
     hint.textContent = this.draft
       ? 'Click points on the model; Enter or a second click on the last point ends the line. By keys: turn the model ' +
         'with the arrows, Space sets a point under the cross.'
-      : this.chosen >= 0
-        ? 'Drag the points of the line, or take one away with Delete.'
-        : '';
-    app.frame.seamPart.show(this.lines, this.chosen, (i) => this.lengthText(i));
+      : this.hint || (this.chosen >= 0 ? 'Drag the points of the line, or take one away with Delete.' : '');
+    app.notches.show();
+    app.frame.seamPart.show(app.project, this.chosen, (i) => this.lengthText(i));
     void this.trace();
   }
 
@@ -217,6 +260,13 @@ export class Seams {
   /** Finds the ways of lines that have none yet; one after the other, the newest first. */
   async trace() {
     if (this.isTracing) return;
+    if (this.app.project.symmetric && !this.symmetry) {
+      this.isTracing = true;
+      this.symmetry = await this.app.pen.call('findPlane').catch(() => null);
+      this.isTracing = false;
+      if (this.symmetry) this.show();
+      return;
+    }
     const missing = this.shown().find(({ line }) => !this.pathOf(line));
     if (!missing) return;
     this.isTracing = true;
@@ -230,4 +280,31 @@ export class Seams {
     this.isTracing = false;
     this.show();
   }
+}
+
+/**
+ * @param {ArrayLike<number>} path x, y, z of its points
+ * @param {Float64Array} plane x, y, z of its normal, of length 1, and its offset
+ */
+function mirrored(path, [x, y, z, offset]) {
+  const image = new Float64Array(path.length);
+  for (let i = 0; i < path.length; i += 3) {
+    const twice = 2 * (path[i] * x + path[i + 1] * y + path[i + 2] * z - offset);
+    image.set([path[i] - twice * x, path[i + 1] - twice * y, path[i + 2] - twice * z], i);
+  }
+  return image;
+}
+
+/**
+ * What a project says of symmetry: nothing more where the model is symmetric; else the plane, where that is one of x,
+ * y or z, and the model is nearly symmetric.
+ * @param {import('./engine.js').Symmetry} symmetry
+ */
+function planeWord({ plane, share, isSymmetric }) {
+  if (isSymmetric) return 'auto';
+  const axis = [0, 1, 2].find((k) => Math.abs(plane[k]) > 1 - 1e-9);
+  if (axis === undefined || share > nearly) {
+    throw new Error(`The model is not symmetric: mirrored, it is up to ${(100 * share).toPrecision(2)} % of its size away.`);
+  }
+  return `${'xyz'[axis]}=${Number((plane[3] / plane[axis]).toPrecision(8))}`;
 }

@@ -40,6 +40,8 @@ export class Sheet {
     /** @type {SheetColors | null} */
     this.colors = null;
     this.marked = -1;
+    /** Places of notches on the model. @type {[number, number, number][]} */
+    this.notches = [];
     /** The surfaces of the pieces, until they change. @type {ImageData | null} */
     this.picture = null;
     /** @type {PointGrid | null} */
@@ -71,6 +73,12 @@ export class Sheet {
     this.picture = null;
     const names = pieces.map(({ name }) => name).join(', ');
     this.canvas.setAttribute('aria-label', pieces.length > 0 ? `Pattern of ${names}` : 'Pattern');
+    this.redraw();
+  }
+
+  /** @param {[number, number, number][]} places on the model */
+  showNotches(places) {
+    this.notches = places;
     this.redraw();
   }
 
@@ -192,6 +200,12 @@ export class Sheet {
       down += (2 * from[1]) / border.length;
     }
     pen.stroke();
+    pen.fillStyle = '#c05000';
+    for (const vertex of borderNear(this.notches, piece, border)) {
+      pen.beginPath();
+      pen.arc(...at(vertex), 4, 0, 2 * Math.PI);
+      pen.fill();
+    }
     pen.font = '600 14px system-ui, sans-serif';
     pen.textAlign = 'center';
     pen.lineWidth = 4;
@@ -222,4 +236,23 @@ export class Sheet {
       pen.stroke();
     }
   }
+}
+
+/**
+ * The vertices of a border that lie nearest to places of the model, where they lie near.
+ * @param {[number, number, number][]} places
+ * @param {LaidPiece} piece
+ * @param {number[]} border
+ */
+function borderNear(places, { positions }, border) {
+  const { low, high } = places.length > 0 ? boxOf(positions) : { low: [0], high: [0] };
+  const reachOf = 0.02 * Math.hypot(...high.map((x, k) => x - low[k]));
+  return places.flatMap((place) => {
+    let [best, least] = [-1, reachOf];
+    for (const v of border) {
+      const far = Math.hypot(...place.map((x, k) => x - positions[3 * v + k]));
+      if (far < least) [best, least] = [v, far];
+    }
+    return best < 0 ? [] : [best];
+  });
 }

@@ -41,11 +41,11 @@ export function simplified(points, tolerance) {
 
 /**
  * A line whose points can be moved, near one that was drawn.
- * @param {Line} line
+ * @param {Point[]} points of that
  * @param {Float32Array} positions of the model
  * @returns {Line}
  */
-export function loosened({ points }, positions) {
+export function loosened(points, positions) {
   const { low, high } = boxOf(positions);
   const diagonal = Math.hypot(...high.map((x, k) => x - low[k]));
   return { kind: 'shortest', points: simplified(points, 0.01 * diagonal) };

@@ -24,13 +24,14 @@ import { boxOf } from './mesh.js';
  * @property {(place: Point | null, line: number) => void} clicked where on the surface, and which line there, or -1
  * @property {(index: number, place: Point, isDone: boolean) => void} moved a point of the chosen line goes there
  * @property {(index: number) => void} removed a point of the chosen line
+ * @property {(index: number) => void} unnotched a notch is to go
  */
 
 const reach = 12; // pixels within which a place snaps
 const hidden = 0.004; // how much deeper than the surface a place is that cannot be seen
 
 /** @type {Record<string, Color>} */
-const inks = { line: [24, 24, 28], chosen: [192, 80, 0], border: [60, 60, 66] };
+const inks = { line: [24, 24, 28], chosen: [192, 80, 0], image: [120, 120, 132], border: [60, 60, 66] };
 
 /**
  * From where a model is seen at first: from the front, a little from above and the right, with its longest upright
@@ -82,8 +83,11 @@ export class Stage {
     /** The line whose points can be moved, or -1. */
     this.chosen = -1;
     this.handles = make('div', { className: 'handles' });
+    this.notches = make('div', { className: 'handles' });
+    /** @type {Point[]} */
+    this.notchPlaces = [];
     this.crosshair = make('div', { className: 'crosshair', hidden: true });
-    this.view.root.append(this.handles, this.crosshair);
+    this.view.root.append(this.handles, this.notches, this.crosshair);
   }
 
   /** @param {boolean} isOn whether clicks add points */
@@ -95,8 +99,9 @@ export class Stage {
   /**
    * @param {ShownLine[]} lines
    * @param {number} chosen
+   * @param {ArrayLike<number>[]} images of lines on the other side of the plane of symmetry
    */
-  showLines(lines, chosen) {
+  showLines(lines, chosen, images) {
     this.lines = lines;
     this.chosen = chosen;
     const border = [];
@@ -108,7 +113,8 @@ export class Stage {
       });
     }
     const drawn = lines.map(({ path }, i) => ({ points: path, color: i === chosen ? inks.chosen : inks.line }));
-    this.view.scene.drawn?.show([...border, ...drawn]);
+    const mirrored = images.map((path) => ({ points: path, color: inks.image }));
+    this.view.scene.drawn?.show([...border, ...mirrored, ...drawn]);
     this.makeHandles();
     this.view.redraw();
   }
@@ -171,10 +177,34 @@ export class Stage {
     if (place) this.listener.moved(index, place, true);
   }
 
+  /** @param {Point[]} places */
+  showNotches(places) {
+    this.notchPlaces = places;
+    while (this.notches.childElementCount > places.length) this.notches.lastElementChild?.remove();
+    while (this.notches.childElementCount < places.length) this.notches.append(this.notch(this.notches.childElementCount));
+    this.placeHandles();
+  }
+
+  /** @param {number} index */
+  notch(index) {
+    const textContent = `Notch ${index + 1}: a click takes it away`;
+    const made = make('button', { type: 'button', className: 'notch', title: textContent, ariaLabel: textContent });
+    made.addEventListener('click', () => this.listener.unnotched(index));
+    return made;
+  }
+
   placeHandles() {
-    const points = this.lines[this.chosen]?.points ?? [];
+    this.placeAll(this.handles, this.lines[this.chosen]?.points ?? []);
+    this.placeAll(this.notches, this.notchPlaces);
+  }
+
+  /**
+   * @param {HTMLElement} parent
+   * @param {Point[]} points of its children
+   */
+  placeAll(parent, points) {
     const places = this.project(points.flat());
-    [...this.handles.children].forEach((child, i) => {
+    [...parent.children].forEach((child, i) => {
       const handle = /** @type {HTMLElement} */ (child);
       const [x, y, depth] = places.subarray(3 * i, 3 * i + 3);
       const seen = this.view.placeAt(x, y);

@@ -1,4 +1,5 @@
 // Names and words of the program, for the page.
+import { lineWord } from './project.js';
 
 export const stages = /** @type {Record<string, string>} */ ({
   reading: 'Reading the model',
@@ -26,4 +27,16 @@ export function errorOf(err) {
   const at = err.lastIndexOf('error: ');
   const text = at < 0 ? err : err.slice(at + 7);
   return text.replace('planish --help and planish VERB --help tell more', '').trim();
+}
+
+/**
+ * What lines still lack to cut, for those who draw them.
+ * @param {import('./project.js').Project} project
+ * @param {string} said by the program; empty where all is well
+ */
+export function lineHint({ lines }, said) {
+  if (!/nothing is left to cut|nothing is cut there/.test(said)) return '';
+  const idle = lines.flatMap((line, i) => (said.includes(lineWord(line)) ? [i + 1] : []));
+  const which = idle.length === 1 ? `Line ${idle[0]} cuts` : 'These lines cut';
+  return `${which} nothing yet. Lead both ends to the border or to another line, or one end for a dart.`;
 }

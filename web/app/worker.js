@@ -1,10 +1,14 @@
 // The program, in a worker of its own: one call after the other, each answered by its number.
 
+import { unpacked } from './packing/unpack.js';
+import { joined } from './packing/wasm_streams.js';
+
 /** @typedef {import('./engine.js').Module} Module */
 /** @typedef {import('./engine.js').LaidPiece} LaidPiece */
 /** @typedef {import('./engine.js').Outcome} Outcome */
 
 const folder = '/work';
+const pageScriptFile = '/page_script'; // that the program looks for
 
 /**
  * @template Result
@@ -12,7 +16,7 @@ const folder = '/work';
  * @returns {Result}
  */
 function checked(result) {
-  const { error } = /** @type {{error?: string}} */ (result);
+  const { error } = /** @type {{error?: string}} */ (result ?? {});
   if (error !== undefined) throw new Error(error);
   return /** @type {Result} */ (result);
 }
@@ -78,6 +82,20 @@ class Program {
     return checked(this.module.openSurface(name));
   }
 
+  /** @param {string} name */
+  openSketch(name) {
+    return checked(this.module.openSketch(name));
+  }
+
+  /** @param {string[]} words */
+  sketch(words) {
+    return checked(this.module.sketch(words));
+  }
+
+  findPlane() {
+    return checked(this.module.findPlane());
+  }
+
   /** @param {number[]} places */
   lineThrough(places) {
     return checked(this.module.lineThrough(places));
@@ -130,9 +148,10 @@ let program = null;
 
 /**
  * @param {WebAssembly.Module} compiled
+ * @param {string} pageScript
  * @returns {Promise<Program>}
  */
-function started(compiled) {
+function started(compiled, pageScript) {
   // @ts-expect-error: emscripten makes it; its script comes before this one
   return globalThis.planishModule({
     /** @type {(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) => {}} */
@@ -140,14 +159,21 @@ function started(compiled) {
       void WebAssembly.instantiate(compiled, imports).then(done);
       return {};
     },
-  }).then((/** @type {Module} */ module) => new Program(module));
+  }).then((/** @type {Module} */ module) => {
+    module.FS.writeFile(pageScriptFile, pageScript);
+    return new Program(module);
+  });
 }
 
 /** @param {{id: number, call: string, values: any[]}} message */
 async function answer({ id, call, values }) {
   try {
+    if (call === 'compile') {
+      postMessage({ id, result: await WebAssembly.compile(joined(values.map(unpacked))) });
+      return;
+    }
     if (call === 'start') {
-      program = started(values[0]);
+      program = started(values[0], values[1]);
       await program;
       postMessage({ id, result: null });
       return;

@@ -18,8 +18,9 @@ export class PatchBody {
   /**
    * @param {Patch} patch
    * @param {Uniforms} uniforms
+   * @param {PatchBody | null} [before] that it replaces: gives its material, which takes long to compile, and is disposed
    */
-  constructor(patch, uniforms) {
+  constructor(patch, uniforms, before = null) {
     this.uniforms = uniforms;
     /** @type {Scene | null} made when it is first needed */
     this.ghost = null;
@@ -28,13 +29,10 @@ export class PatchBody {
     this.pieces = pieces;
     /** @type {Record<string, string>} */
     this.defines = pieces ? { PIECES: '' } : {};
-    this.material = new ShaderMaterial({
-      vertexShader,
-      fragmentShader,
-      side: DoubleSide,
-      uniforms,
-      defines: this.defines,
-    });
+    const given = before && Boolean(before.pieces) === Boolean(pieces) ? before.material : null;
+    this.material =
+      given ?? new ShaderMaterial({ vertexShader, fragmentShader, side: DoubleSide, uniforms, defines: this.defines });
+    before?.dispose(given !== null);
     const index = new BufferAttribute(patch.triangles, 1);
     const shared = pieces ? attributesOf(pieces) : [];
     this.geometries = patch.positions.map((positions) => geometryOf(positions, index, shared));
@@ -78,8 +76,8 @@ export class PatchBody {
     return this.ghost;
   }
 
-  /** Frees its GPU memory. */
-  dispose() {
+  /** Frees its GPU memory. @param {boolean} keepsMaterial that another one uses */
+  dispose(keepsMaterial = false) {
     for (const geometry of this.geometries) geometry.dispose();
     this.lines?.dispose();
     this.ghost?.traverse((part) => {
@@ -87,6 +85,6 @@ export class PatchBody {
       part.geometry.dispose();
       part.material.dispose();
     });
-    this.material.dispose();
+    if (!keepsMaterial) this.material.dispose();
   }
 }

@@ -150,8 +150,7 @@ export class PatchScene {
    * @param {Patch} patch its `view`, `shown` and `maps` are not looked at
    */
   replace(patch) {
-    this.body.dispose();
-    this.body = new PatchBody(patch, this.uniforms);
+    this.body = new PatchBody(patch, this.uniforms, this.body);
     this.frame = this.framed();
   }
 

@@ -7,6 +7,7 @@
 namespace planish::cli {
 
 Command flatten_command();
+Command app_command();
 Command measure_command();
 Command evolve_command();
 Command unfold_command();

@@ -167,8 +167,11 @@ void add_model_lines(RequestedLines& all, const Patch& patch, const std::string&
 
 void add_file(RequestedLines& all, const Patch& patch, const std::string& file,
               const Arguments& arguments) {
-  CutLinesOnPatch read =
-      read_cut_lines(path_of(file), patch, arguments.text("--smooth-lines", "yes") != "no");
+  const bool smooth = arguments.text("--smooth-lines", "yes") != "no";
+  const auto kept = arguments.files.find(file);
+  CutLinesOnPatch read = kept != arguments.files.end()
+                             ? parse_cut_lines(kept->second, patch, file, smooth)
+                             : read_cut_lines(path_of(file), patch, smooth);
   const ShownLengths lengths(unit_from(arguments));
   const double scale = scale_from(arguments);
   if (read.farthest > 0.0) {

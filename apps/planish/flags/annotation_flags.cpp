@@ -176,7 +176,8 @@ FlagGroup annotation_flags() {
         ".obj "
         "drawn on the model"},
        {"--seam-notches", "FILE",
-        "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double"},
+        "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; "
+        "or an .obj drawn on the model"},
        {"--notch-depth",
         "LENGTH",
         "of notches (default 5mm, or half of less allowance)",

@@ -201,7 +201,10 @@ class ProductRun {
     std::vector<PatternOptions> annotations = job_.annotations;
     for (PatternOptions& own : annotations)
       own.notches.clear();
-    const std::vector<SeamNotch> notches = seam_notches_from(arguments_);
+    std::vector<TriMesh> meshes;
+    for (const ProductPatch& patch : job_.patches)
+      meshes.push_back(patch.mesh);
+    const std::vector<SeamNotch> notches = seam_notches_from(arguments_, meshes);
     return about(arguments_.text("--seam-notches"), [&] {
       return patches_to_cut(job_.patches, report_, std::move(annotations), notches);
     });

@@ -9,10 +9,13 @@
 
 #include "flags/annotation_flags.h"
 #include "flags/quantities.h"
+#include "flags/scale_flag.h"
 #include "flags/unfold_flags.h"
 #include "flags/units.h"
+#include "io/read_drawing.h"
 #include "platform/path.h"
 #include "shell/failures.h"
+#include "shell/file_name.h"
 #include "shell/text.h"
 #include "shell/values.h"
 #include "text/own_seams.h"
@@ -43,16 +46,40 @@ ProductOptions product_options_from(const Arguments& arguments, FlattenOptions f
           .common_lengths = is_cut};
 }
 
-std::vector<SeamNotch> seam_notches_from(const Arguments& arguments) {
+namespace {
+
+/// Every point of the drawing, model units.
+std::vector<Vec3> drawn_places(const std::string& file, const Arguments& arguments) {
+  const auto kept = arguments.files.find(file);
+  const DrawnLines drawn = kept != arguments.files.end() ? parse_obj_lines(kept->second, file)
+                                                         : read_obj_lines(path_of(file));
+  std::vector<Vec3> places = drawn.points;
+  for (const DrawnLine& line : drawn.lines)
+    places.insert(places.end(), line.points.begin(), line.points.end());
+  for (Vec3& place : places)
+    place = scale_from(arguments) * place;
+  return places;
+}
+
+}  // namespace
+
+std::vector<SeamNotch> seam_notches_from(const Arguments& arguments,
+                                         std::span<const TriMesh> meshes) {
   if (!arguments.has("--seam-notches")) return {};
-  return seam_notches_in(arguments.rows_of("--seam-notches"));
+  const std::string file = arguments.text("--seam-notches");
+  if (arguments.rows.contains("--seam-notches") || lower_extension(file) != ".obj")
+    return seam_notches_in(arguments.rows_of("--seam-notches"));
+  return about(file, [&] {
+    return seam_notches_at(drawn_places(file, arguments),
+                           find_sound_seams(meshes, seam_tolerance_from(arguments)), meshes);
+  });
 }
 
 std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const TriMesh> meshes,
                                                  std::span<const std::string> names) {
   if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
-  const std::vector<SeamNotch> notches = seam_notches_from(arguments);
+  const std::vector<SeamNotch> notches = seam_notches_from(arguments, meshes);
   return about(arguments.text("--seam-notches"), [&] {
     return notches_of_patches(notches, find_sound_seams(meshes, seam_tolerance_from(arguments)),
                               meshes, names, millimetres_per(unit_from(arguments)));

@@ -33,9 +33,10 @@ void match_own_seams(const Patch& patch, const Arguments& arguments, FlattenOpti
 ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten,
                                     bool is_cut);
 
-/// What the file of --seam-notches asks for; nothing without that flag.
-/// @throws Error as read_rows() and seam_notches_in()
-std::vector<SeamNotch> seam_notches_from(const Arguments& arguments);
+/// What the file of --seam-notches lists, or draws on the model; nothing without that flag.
+/// @throws Error as read_rows() and seam_notches_in(), seam_notches_at()
+std::vector<SeamNotch> seam_notches_from(const Arguments& arguments,
+                                         std::span<const TriMesh> meshes);
 
 /// Of each patch the notches that --seam-notches puts on its seams; none without that flag.
 /// @throws Error as seam_notches_from() and notches_of_patches()

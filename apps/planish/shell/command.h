@@ -82,6 +82,8 @@ struct Arguments {
   /// What the files of flags hold, where their values are but names for it.
   std::map<std::string, Rows, std::less<>> rows = {};
   std::map<std::string, TriMesh, std::less<>> meshes = {};
+  /// What drawings (.obj) hold that flags name and that are no files: those of a project.
+  std::map<std::string, std::string, std::less<>> files = {};
   /// The unit of length that all input files state, which holds without --unit.
   std::optional<Unit> stated_unit = {};
   /// Names of pieces in all files of a run over several, which --only and --without may have in

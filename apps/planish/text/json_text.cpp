@@ -32,6 +32,10 @@ std::string json_written(const TriMesh& mesh, const std::string& output) {
                   {"output", output}});
 }
 
+std::string json_page(const std::string& output) {
+  return text_of({{"output", output}});
+}
+
 std::string json_samples(std::span<const Shape> shapes) {
   Json list = Json::array();
   for (const Shape& shape : shapes) {

@@ -23,6 +23,9 @@ std::string json_version(const std::string& version);
 /// A mesh that was written: {"vertices", "triangles", "output"}.
 std::string json_written(const TriMesh& mesh, const std::string& output);
 
+/// A page that was written: {"output"}.
+std::string json_page(const std::string& output);
+
 /// {"samples": [{"name", "description", "flattenable"}]}
 std::string json_samples(std::span<const Shape> shapes);
 

@@ -11,6 +11,7 @@
 #include <emscripten/val.h>
 
 #include "program.h"
+#include "sketch.h"
 #include "surface.h"
 
 // What a worker calls. Files are those of the module's file system. Arrays are copies: memory moves
@@ -90,6 +91,54 @@ val line_through(val places) {
   });
 }
 
+/// The plane in which the model is most nearly its own mirror image.
+val find_plane() {
+  return outcome_of([&] {
+    const SymmetryFound found = surface() ? surface()->symmetry() : SymmetryFound();
+    const Vec3 n = found.plane.normal;
+    val made = val::object();
+    made.set("plane",
+             array_of("Float64Array", std::vector<double>{n.x, n.y, n.z, found.plane.offset}));
+    made.set("share", found.share);
+    made.set("isSymmetric", found.is_symmetric);
+    return made;
+  });
+}
+
+/// The same model, to be cut and laid flat quickly.
+std::optional<Sketch>& sketch() {
+  static std::optional<Sketch> kept;
+  return kept;
+}
+
+val open_sketch(const std::string& path) {
+  return outcome_of([&] {
+    sketch().reset();
+    sketch().emplace(path);
+    return val::null();
+  });
+}
+
+/// @param words an array of strings
+val sketched(val words) {
+  return outcome_of([&] {
+    SketchPieces made;
+    if (sketch()) made = sketch()->laid(emscripten::vecFromJSArray<std::string>(words));
+    val pieces = val::array();
+    for (const SketchPiece& piece : made.pieces) {
+      val one = meshed(piece.surface);
+      one.set("name", piece.name);
+      one.set("flat", array_of("Float32Array", coordinates_of(piece.pattern)));
+      one.set("strain", array_of("Float32Array", piece.strain));
+      pieces.call<void>("push", one);
+    }
+    val all = val::object();
+    all.set("pieces", pieces);
+    all.set("hint", made.hint);
+    return all;
+  });
+}
+
 val read_laid(const std::string& in_space, const std::string& flat) {
   return outcome_of([&] {
     const LaidPiece piece = laid_piece(in_space, flat);
@@ -119,6 +168,9 @@ EMSCRIPTEN_BINDINGS(planish) {
   emscripten::function("run", &run);
   emscripten::function("openSurface", &open_surface);
   emscripten::function("lineThrough", &line_through);
+  emscripten::function("findPlane", &find_plane);
+  emscripten::function("openSketch", &open_sketch);
+  emscripten::function("sketch", &sketched);
   emscripten::function("readLaid", &read_laid);
   emscripten::function("colorMap", &color_map);
 }

@@ -6,6 +6,7 @@
 #include <planish/io/model.h>
 #include <planish/mesh/geodesic.h>
 #include <planish/mesh/surface_line.h>
+#include <planish/mesh/symmetry.h>
 #include <planish/unfold/strain.h>
 
 namespace planish::wasm {
@@ -59,6 +60,13 @@ std::vector<double> Surface::line(std::span<const double> places) const {
     points.insert(points.end(), {p.x, p.y, p.z});
   }
   return points;
+}
+
+SymmetryFound Surface::symmetry() const {
+  const Symmetry found = find_symmetry(patch_);
+  const TriMesh& mesh = patch_.mesh();
+  return {found.plane, found.largest / bounding_box_diagonal(mesh),
+          found.largest <= symmetry_tolerance(mesh)};
 }
 
 LaidPiece laid_piece(const std::string& surface, const std::string& pattern) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <planish/mesh/patch.h>
+#include <planish/mesh/surface_line.h>
 
 namespace planish::wasm {
 
@@ -13,6 +14,13 @@ namespace planish::wasm {
 std::vector<float> coordinates_of(const TriMesh& mesh);
 /// Three vertices of each triangle.
 std::vector<Index> corners_of(const TriMesh& mesh);
+
+/// How nearly a surface is its own mirror image.
+struct SymmetryFound {
+  Plane plane;                ///< its normal has length 1; model units
+  double share = 0.0;         ///< Symmetry::largest, of the diagonal
+  bool is_symmetric = false;  ///< whether that counts as symmetric
+};
 
 /// The surface of a model file as the verbs of the program work on it, kept while lines are drawn
 /// on it.
@@ -33,6 +41,8 @@ class Surface {
   /// @return x, y, z of its points, model units
   /// @throws Error as geodesic()
   std::vector<double> line(std::span<const double> places) const;
+  /// @throws Error as find_symmetry()
+  SymmetryFound symmetry() const;
 
  private:
   Patch patch_;

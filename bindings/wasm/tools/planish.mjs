@@ -1,14 +1,15 @@
 // The program as it runs in the browser, from the command line: files of the current folder, and those that words
 // name, are put into the module's memory, and what the program wrote there is put into the folder.
-//   node planish.mjs FOLDER-OF-THE-MODULE VERB ...
+//   node planish.mjs MODULE.js VERB ...
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 
-const [folder, ...words] = process.argv.slice(2);
-const wasmBinary = readFileSync(join(folder, 'planish_module.wasm'));
-const module = await createRequire(import.meta.url)(resolve(folder, 'planish_module.js'))({ wasmBinary });
+const [script, ...words] = process.argv.slice(2);
+const wasmBinary = readFileSync(script.replace(/js$/, 'wasm'));
+const module = await createRequire(import.meta.url)(resolve(script))({ wasmBinary });
 const { FS } = module;
+FS.writeFile('/page_script', readFileSync(join(dirname(script), '../../generated/page_script.txt')));
 const here = process.cwd();
 
 /** Of files that were put in: their content. @type {Map<string, Uint8Array>} */

@@ -101,6 +101,14 @@ struct SeamNotch {
   bool is_double = false;                ///< two side by side, on both sides
 };
 
+/// Slits at places of the model, each on the seam whose first side is nearest to it.
+/// @param places model units
+/// @param patches whose seams they are
+/// @throws Error misplaced_notch for a place that is farther from all seams than three of the mean
+///   edges of the nearest one
+std::vector<SeamNotch> seam_notches_at(std::span<const Vec3> places, std::span<const Seam> seams,
+                                       std::span<const TriMesh> patches);
+
 /// The notches of every patch that those of the seams come to. The two of a pair are at one place
 /// of the model: on the same edge at the same share of it; of sides matched as curves, at
 /// matched_share(). In patterns whose seams match they are at the same length from the end of the

@@ -158,5 +158,34 @@ TEST(SeamNotches, BeyondTheSeamAreRefusedWithItsNameAndLength) {
   EXPECT_THAT(error_of({.seam = 7}), HasSubstr("from 1 to 1"));
 }
 
+TEST(SeamNotchesAt, AreWherePlacesOfTheModelLie) {
+  const TwoHalves halves = two_halves();
+  ASSERT_EQ(halves.seams.size(), 1U);
+  const SeamSide& side = halves.seams[0].sides[0];
+  const std::vector<Vec3>& positions = halves.patches[side.patch].positions;
+  const Vec3 a = positions[side.vertices[1]], b = positions[side.vertices[2]];
+  const std::vector<Vec3> places = {a + 0.25 * (b - a), positions[side.vertices.back()]};
+  const std::vector<SeamNotch> notches = seam_notches_at(places, halves.seams, halves.patches);
+  ASSERT_EQ(notches.size(), 2U);
+  EXPECT_EQ(notches[1].place, 1.0);
+  const auto of = notches_of(halves, notches[0]);
+  for (std::size_t p = 0; p < 2; ++p) {
+    ASSERT_EQ(of[p].size(), 1U);
+    EXPECT_NEAR(norm(place_of(of[p][0], halves.patches[p]) - places[0]), 0.0, 1e-12);
+  }
+}
+
+TEST(SeamNotchesAt, RefusesPlacesOffAllSeams) {
+  const TwoHalves halves = two_halves();
+  const std::vector<Vec3> places = {{100.0, 0.0, 0.0}};
+  try {
+    seam_notches_at(places, halves.seams, halves.patches);
+    ADD_FAILURE() << "taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::misplaced_notch);
+    EXPECT_THAT(error.message(), HasSubstr("notch 1 is on no seam"));
+  }
+}
+
 }  // namespace
 }  // namespace planish

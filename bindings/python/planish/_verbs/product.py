@@ -155,7 +155,8 @@ def flatten_product(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double
+        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+            .obj drawn on the model
         notch_depth: of notches (default 5mm, or half of less allowance)
         grain: direction of the grain on the model, or its angle in the pattern
         size: that the piece is for

@@ -111,7 +111,8 @@ def unfold(
             allowance
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double
+        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+            .obj drawn on the model
         notch_depth: of notches (default 5mm, or half of less allowance)
         grain: direction of the grain on the model, or its angle in the pattern
         marks: a line each: vertex; cross or drill; or an .obj drawn on the model

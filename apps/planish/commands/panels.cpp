@@ -34,14 +34,15 @@ std::map<std::string, std::string> panel_paths(const Arguments& arguments) {
 }
 
 std::vector<OutputFile> panel_files(const PanelSuggestion& found, const CutInput& cut,
+                                    const std::vector<std::vector<Vec3>>& fixed,
                                     const std::map<std::string, std::string>& paths,
                                     const Arguments& arguments) {
   std::vector<OutputFile> files;
   files.reserve(paths.size());
   for (const auto& [role, path] : paths) {
-    files.push_back({path_of(path),
-                     role == "lines" ? panel_lines(as_in_file(found.mesh, arguments), found.seams)
-                                     : format_mesh(cut.mesh, mesh_format_of(path_of(path)))});
+    files.push_back({path_of(path), role == "lines"
+                                        ? panel_lines(found, fixed, arguments)
+                                        : format_mesh(cut.mesh, mesh_format_of(path_of(path)))});
   }
   return files;
 }
@@ -52,13 +53,15 @@ CommandResult run_panels(const Arguments& arguments, Session& session) {
   const auto paths = panel_paths(arguments);
   const std::string& path = arguments.operands.front();
   TriMesh mesh = read_whole(path, arguments, session);
-  const Patch patch = about(path, [&] { return Patch(std::move(mesh)); });
+  CutInput fixed =
+      about(path, [&] { return cut_at_fixed_seams(std::move(mesh), path, arguments, session); });
+  const Patch patch = about(path, [&] { return Patch(std::move(fixed.mesh)); });
   const PanelSuggestion found = about(path, [&] {
     return panels_as_asked(patch, path, arguments, session,
                            {.match_seams = arguments.has("--match-seams")});
   });
   const CutInput cut = cut_into_panels(found);
-  const std::vector<OutputFile> files = panel_files(found, cut, paths, arguments);
+  const std::vector<OutputFile> files = panel_files(found, cut, fixed.lines, paths, arguments);
   std::string text = path + "  (" + size_text(patch.mesh()) + ")\n\n" +
                      panels_text(found, cut.mesh, unit_from(arguments)) +
                      "\nPatterns of these pieces: planish flatten " + path + " --cut " +
@@ -85,6 +88,7 @@ Command panels_command() {
                     "the plane, no (default auto)"};
   symmetric.accepts = {.type = ValueType::text, .standard = "auto"};
   search.flags.push_back(std::move(symmetric));
+  search.flags.push_back(fixed_seams_flag());
   search.flags.push_back({"--match-seams", "",
                           "keep the limit with both sides of each seam equally long, as the "
                           "pieces of flatten --cut auto do"});

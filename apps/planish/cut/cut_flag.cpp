@@ -120,10 +120,12 @@ class Cutter {
                       ": nothing is left to cut, as notes tell; --keep-small keeps small pieces");
     }
     CutMesh opened = cut_open(whole, cuts);
-    return {
-        std::move(opened.mesh),
-        CutOutcome{opened.edges, opened.length, imprinted.farthest_snap,
-                   jag(imprinted.mesh, attached.paths, mean_edge_length(mesh)), kept.small.size()}};
+    std::vector<std::vector<Vec3>> lines = lines_of(imprinted.mesh, attached.paths);
+    const double jagged = jag(lines, mean_edge_length(mesh));
+    return {.mesh = std::move(opened.mesh),
+            .cut = CutOutcome{opened.edges, opened.length, imprinted.farthest_snap, jagged,
+                              kept.small.size()},
+            .lines = std::move(lines)};
   }
 
  private:
@@ -201,15 +203,22 @@ class Cutter {
                   (more > 0 ? "; so does that of " + counted(more, "other line") : ""));
   }
 
-  /// The largest of the lines.
-  double jag(const TriMesh& mesh, const std::vector<LinePath>& paths, double edge) const {
-    double largest = 1.0;
+  static std::vector<std::vector<Vec3>> lines_of(const TriMesh& mesh,
+                                                 const std::vector<LinePath>& paths) {
+    std::vector<std::vector<Vec3>> lines;
     for (const LinePath& path : paths) {
-      std::vector<Vec3> line;
+      std::vector<Vec3>& line = lines.emplace_back();
       for (const Index v : path.vertices)
         line.push_back(mesh.positions[v]);
-      largest = std::max(largest, jag_of(line, edge));
     }
+    return lines;
+  }
+
+  /// The largest of the lines.
+  static double jag(const std::vector<std::vector<Vec3>>& lines, double edge) {
+    double largest = 1.0;
+    for (const std::vector<Vec3>& line : lines)
+      largest = std::max(largest, jag_of(line, edge));
     return largest;
   }
 

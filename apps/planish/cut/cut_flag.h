@@ -35,6 +35,8 @@ struct CutInput {
   TriMesh mesh;
   std::optional<CutOutcome> cut = {};
   std::optional<Plane> symmetric_in = {};  ///< that of --symmetric; model units
+  /// Places along the lines that were cut through triangles, model units.
+  std::vector<std::vector<Vec3>> lines = {};
 };
 
 /// What patterns of panels keep, beside limits.

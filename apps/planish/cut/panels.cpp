@@ -12,6 +12,7 @@
 #include <planish/unfold/unfold.h>
 
 #include "cut/caps.h"
+#include "cut/requested_lines.h"
 #include "cut/symmetric_design.h"
 #include "flags/limit_flags.h"
 #include "flags/units.h"
@@ -60,6 +61,28 @@ PanelOptions panel_options_from(const Arguments& arguments) {
   options.moves = static_cast<std::size_t>(whole_number_of(
       "--effort", arguments.value("--effort", static_cast<int>(k_usual_moves)), k_moves));
   return options;
+}
+
+Flag fixed_seams_flag() {
+  Flag flag = {"--seams", "LINES",
+               "lines that must be seams, in the words of --cut: a drawing (.obj), \"plane x=0\", "
+               "\"creases 30deg\", ...; others join them; may be repeated"};
+  flag.accepts.repeats = true;
+  flag.accepts.type = ValueType::file;
+  return flag;
+}
+
+CutInput cut_at_fixed_seams(TriMesh mesh, const std::string& path, const Arguments& arguments,
+                            Session& session) {
+  if (!arguments.has("--seams")) return {std::move(mesh)};
+  Arguments of_cut = arguments;
+  of_cut.flags.erase("--symmetric");  // that is asked of the panels
+  of_cut.flags["--cut"] = arguments.flags.at("--seams");
+  if (asks_to_open(of_cut) || asks_for_panels(of_cut))
+    throw UsageError("flag --seams takes lines, not open or auto");
+  for (const Flag& flag : panel_flags())
+    of_cut.flags.erase(flag.name);
+  return cut_as_asked(std::move(mesh), path, of_cut, session);
 }
 
 void note_idle_panel_flags(const Arguments& arguments, Session& session) {

@@ -19,6 +19,14 @@ std::vector<Flag> panel_flags();
 /// @throws UsageError, Error option_out_of_range
 PanelOptions panel_options_from(const Arguments& arguments);
 
+/// --seams, for verbs that divide without --cut.
+Flag fixed_seams_flag();
+
+/// Cuts a product as --seams says, as --cut does with the same words; without the flag it stays.
+/// @throws Error as cut_as_asked(); UsageError
+CutInput cut_at_fixed_seams(TriMesh mesh, const std::string& path, const Arguments& arguments,
+                            Session& session);
+
 /// Writes a note for each flag of panel_flags() that has no effect, as nothing is divided.
 void note_idle_panel_flags(const Arguments& arguments, Session& session);
 

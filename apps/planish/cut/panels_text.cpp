@@ -9,6 +9,7 @@
 
 #include "cut/panel_places.h"
 #include "cut/panels.h"
+#include "flags/scale_flag.h"
 #include "io/read_drawing.h"
 #include "mesh/split.h"
 #include "report/json_parts.h"
@@ -66,13 +67,17 @@ std::string panels_json(const PanelSuggestion& found, const CutInput& cut, Unit 
   return json_document(object) + "\n";
 }
 
-std::string panel_lines(const TriMesh& mesh, const std::vector<std::vector<Index>>& seams) {
-  DrawnLines drawn;
-  for (const std::vector<Index>& seam : seams) {
-    DrawnLine& line = drawn.lines.emplace_back();
+std::string panel_lines(const PanelSuggestion& found, const std::vector<std::vector<Vec3>>& fixed,
+                        const Arguments& arguments) {
+  std::vector<std::vector<Vec3>> seams = fixed;
+  for (const std::vector<Index>& seam : found.seams) {
+    std::vector<Vec3>& places = seams.emplace_back();
     for (const Index v : seam)
-      line.points.push_back(mesh.positions[v]);
+      places.push_back(found.mesh.positions[v]);
   }
+  DrawnLines drawn;
+  for (std::vector<Vec3>& places : seams)
+    drawn.lines.push_back({as_in_file(TriMesh{std::move(places), {}}, arguments).positions, {}});
   return "# Seams for planish --cut\n" + format_obj_lines(drawn);
 }
 

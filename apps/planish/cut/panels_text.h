@@ -21,7 +21,8 @@ std::string panels_json(const PanelSuggestion& found, const CutInput& cut, Unit 
                         const std::map<std::string, std::string>& files);
 
 /// The file that --cut takes: the seams as lines of an OBJ file.
-/// @param mesh PanelSuggestion::mesh, in the coordinates of the product's file
-std::string panel_lines(const TriMesh& mesh, const std::vector<std::vector<Index>>& seams);
+/// @param fixed those that were cut before
+std::string panel_lines(const PanelSuggestion& found, const std::vector<std::vector<Vec3>>& fixed,
+                        const Arguments& arguments);
 
 }  // namespace planish::cli

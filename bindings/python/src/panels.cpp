@@ -37,7 +37,9 @@ PanelsResult suggested_panels(const MeshData& data, const py::dict& keywords, py
   const double scale = cli::scale_from(arguments);
   Job job(arguments, std::move(progress));
   PanelsResult result = job.run([&](cli::Session& session) {
-    const Patch patch(cli::scaled(data.mesh, scale, {}));
+    const Patch patch(
+        cli::cut_at_fixed_seams(cli::scaled(data.mesh, scale, {}), data.name, arguments, session)
+            .mesh);
     PanelSuggestion found = cli::panels_as_asked(patch, data.name, arguments, session,
                                                  {.match_seams = arguments.has("--match-seams")});
     cli::CutInput cut = cli::cut_into_panels(found);

@@ -9,6 +9,7 @@
 
 #include "cli/cli_run.h"
 #include "cut/panel_places.h"
+#include "io/read_drawing.h"
 #include "mesh/split.h"
 #include "support/meshes.h"
 #include "support/ringed_disk.h"
@@ -111,6 +112,30 @@ TEST_F(Panels, AreMirrorImagesWhereTheProductIsItsOwn) {
   EXPECT_EQ(flat.exit_code, k_exit_done) << flat.err;
   EXPECT_THAT(flat.err, HasSubstr("pear.obj: symmetric in x=0"));
   EXPECT_THAT(flat.err, Not(HasSubstr("no mirror image was found")));
+}
+
+TEST_F(Panels, HaveTheSeamsThatAreFixed) {
+  write_mesh("ball.obj", solids::sphere(1.0, 16));
+  const Names limit = {"--max-rms-strain", "5%", "--effort", "1", "--symmetric", "no"};
+  const auto run = [&](Names args) {
+    args.insert(args.end(), limit.begin(), limit.end());
+    return planish(args);
+  };
+  const CliResult result =
+      run({"panels", "ball.obj", "--seams", "plane z=0.1", "-o", "seams.obj", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_EQ(json["met"], true);
+  EXPECT_GE(json["pieces"].size(), 2U);  // one on each side of the plane
+  // The drawing has the line around and the others.
+  const DrawnLines drawn = read_obj_lines("seams.obj");
+  EXPECT_EQ(drawn.lines.size(), json["seams"].get<std::size_t>() + 1);
+  for (const Vec3& p : drawn.lines.front().points)
+    EXPECT_NEAR(p.z, 0.1, 1e-9);
+  const CliResult flat = planish(
+      {"flatten", "ball.obj", "--cut", "seams.obj", "-o", "flat", "--formats", "svg", "--json"});
+  EXPECT_EQ(flat.json()["patches"].size(), json["pieces"].size()) << flat.err;
+  EXPECT_EQ(run({"panels", "ball.obj", "--seams", "auto"}).exit_code, k_exit_usage);
 }
 
 TEST_F(Panels, AreFewerWhereTheFormMayChange) {

@@ -183,6 +183,9 @@ class FoldedHalf {
     for (const Notch& notch : own.notches)
       add_notch(notch, notches);
     own.notches = std::move(notches);
+    for (const EdgeAllowance& edge : allowances_of_edges(half_.outline, own.edges))
+      own.edge_allowances.push_back(edge);
+    own.edges.clear();
     own.edge_allowances = opened_allowances(own.edge_allowances);
     add_images(own.marks);
     add_images(own.inner_lines);

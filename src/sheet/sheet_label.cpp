@@ -199,7 +199,9 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const PatternOptio
 std::string size_text(const PatternGeometry& pattern) {
   const std::string allowance = allowance_words(pattern.outline, pattern.options);
   return decimals_text(pattern.size.x, 1) + " × " + decimals_text(pattern.size.y, 1) + " mm" +
-         (allowance.empty() ? "" : " + " + allowance);
+         (allowance.empty() ? "" : " + " + allowance) +
+         (pattern.options.kerf > 0.0 ? ", kerf " + fixed_text(pattern.options.kerf, 3) + " mm"
+                                     : "");
 }
 
 /// Empty where the allowance fills no slit.

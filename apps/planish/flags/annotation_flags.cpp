@@ -166,6 +166,13 @@ FlagGroup annotation_flags() {
         0,
         false,
         {.choices = {"yes", "no"}, .standard = "yes"}},
+       {"--kerf",
+        "LENGTH",
+        "that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and "
+        "into holes (default 0)",
+        0,
+        false,
+        {.range = {.min = 0.0}, .standard = "0"}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--fold", "V,W",
@@ -222,6 +229,10 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   refuse_idle_flags(arguments, writes_sheet);
   PatternOptions options;
   options.allowance = allowance_from(arguments);
+  if (arguments.has("--kerf"))
+    options.kerf = millimetres_per(unit_from(arguments)) *
+                   quantity_value("--kerf", arguments.value("--kerf"), Quantity::length,
+                                  {.min = 0.0, .max = 1e6}, arguments);
   options.notch_sizes = notch_sizes_from(arguments, options.allowance);
   options.fold = fold_from(arguments);
   options.grain = grain_from(arguments);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -74,6 +76,28 @@ void check_fold(std::span<const std::vector<Index>> border, const FoldLine& fold
 /// @throws Error as check_fold(); misplaced_allowance where a point of either stretch is farther
 ///   from the line than 0.5 mm and a thousandth of its length
 EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold);
+
+/// What is asked for an edge of the outline, from corner to corner.
+struct PatternEdge {
+  int number = 0;                        ///< as edges_between_corners() has them, from 1
+  std::string name = {};                 ///< as "hem"; empty: none but its number
+  std::optional<double> allowance = {};  ///< millimetres; none: that of the piece
+  bool clockwise = false;  ///< the outline is the mirror image of the one that has the number
+
+  /// For people: its name, else as "edge 2".
+  std::string words() const { return name.empty() ? "edge " + std::to_string(number) : name; }
+};
+
+/// The allowances that edges ask for, by vertices.
+/// @param outline with vertices
+/// @throws Error misplaced_allowance for a number that no edge has
+std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
+                                               std::span<const PatternEdge> edges);
+
+/// What each edge of the outline is called: its name, or as "edge 2".
+/// @param outline with vertices
+std::vector<std::string> words_of_edges(const PieceOutline& outline,
+                                        std::span<const PatternEdge> edges);
 
 /// The allowance with other widths along stretches; where they overlap, the last one counts.
 /// @param outline with vertices

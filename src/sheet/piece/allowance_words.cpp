@@ -36,7 +36,7 @@ void add_place(double width, const std::string& place, std::vector<OtherWidth>& 
 
 /// The widths of all points of the outline but those of the fold, which has none.
 std::vector<OtherWidth> other_widths(const PieceOutline& outline, const Allowance& widths,
-                                     double usual) {
+                                     double usual, const std::vector<std::string>& names) {
   std::vector<OtherWidth> others;
   const std::vector<OutlineEdge> edges = edges_between_corners(outline);
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -45,7 +45,7 @@ std::vector<OtherWidth> other_widths(const PieceOutline& outline, const Allowanc
     const double first = of_loop[points.front()];
     const bool is_whole = std::all_of(points.begin(), points.end() - 1,
                                       [&](std::size_t k) { return of_loop[k] == first; });
-    const std::string place = (is_whole ? "edge " : "a part of edge ") + std::to_string(e + 1);
+    const std::string place = (is_whole ? "" : "a part of ") + names[e];
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double width = of_loop[points[i]];
       if (width != usual && width >= 0.0) add_place(width, place, others);
@@ -71,7 +71,8 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
   const bool has_usual = std::any_of(
       widths.edge_widths.begin(), widths.edge_widths.end(),
       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), usual) != loop.end(); });
-  const std::vector<OtherWidth> others = other_widths(outline, widths, usual);
+  const std::vector<OtherWidth> others =
+      other_widths(outline, widths, usual, words_of_edges(outline, options.edges));
   if (others.empty()) return plain;
   if (!has_usual && others.size() == 1) return width_text(others.front().width) + " allowance";
   std::string text = "allowance ";

@@ -140,7 +140,7 @@ std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
     }
     if (!edge.allowance) continue;
     const EdgeEnds& own = ends[static_cast<std::size_t>(edge.number) - 1];
-    allowances.push_back({own.from, own.to, *edge.allowance});
+    allowances.push_back({own.from, own.to, *edge.allowance, false, edge.is_hem});
   }
   return allowances;
 }
@@ -167,20 +167,26 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
   if (edges.empty()) return allowance;
   allowance.edge_widths.clear();
   allowance.folds.clear();
+  allowance.hems.clear();
   for (const Polygon& loop : outline.loops) {
     allowance.edge_widths.emplace_back(loop.size(), allowance.width);
     allowance.folds.emplace_back(loop.size(), 0);
+    allowance.hems.emplace_back(loop.size(), 0);
   }
+  int hems = 0;
   for (const EdgeAllowance& edge : edges) {
+    const int hem = edge.is_hem ? ++hems : 0;
     const Stretch stretch = *stretch_of(edge, outline.vertices);
     std::vector<double>& widths = allowance.edge_widths[stretch.loop];
     std::size_t at = stretch.from;
     do {
       widths[at] = edge.width;
       allowance.folds[stretch.loop][at] = edge.is_fold ? 1 : 0;
+      allowance.hems[stretch.loop][at] = hem;
       at = (at + 1) % widths.size();
     } while (at != stretch.to);
   }
+  if (hems == 0) allowance.hems.clear();
   return allowance;
 }
 

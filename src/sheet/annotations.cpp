@@ -17,6 +17,7 @@
 #include "pattern/polygon/free_strip.h"
 #include "sheet/piece/line_path.h"
 #include "sheet/piece/outline_paths.h"
+#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -227,12 +228,17 @@ std::vector<std::string> names_of_edges(const PieceOutline& outline,
   return names;
 }
 
+/// Millimetres need no word, inches have one.
+std::string length_of_edge(double length, Unit unit) {
+  return unit == Unit::mm ? decimals_text(length, 1) : sheet_length(length, unit, 1);
+}
+
 /// The lengths from corner to corner, each beside the middle of its edge, inside.
-void add_edge_lengths(const PieceOutline& outline, const std::vector<PatternEdge>& named,
+void add_edge_lengths(const PieceOutline& outline, const PatternOptions& options,
                       std::vector<Text>& texts) {
   constexpr double shortest = 5.0;
   const std::vector<OutlineEdge> edges = edges_between_corners(outline);
-  const std::vector<std::string> names = names_of_edges(outline, named);
+  const std::vector<std::string> names = names_of_edges(outline, options.edges);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const OutlineEdge& edge = edges[e];
     if (edge.length < shortest) continue;
@@ -241,7 +247,7 @@ void add_edge_lengths(const PieceOutline& outline, const std::vector<PatternEdge
     const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
     if (!(norm(way) > 0.0)) continue;
     texts.push_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
-                                names[e] + decimals_text(edge.length, 1)));
+                                names[e] + length_of_edge(edge.length, options.sheet_unit)));
   }
 }
 
@@ -318,7 +324,7 @@ PatternGeometry annotated(PatternGeometry pattern, const TriMesh& mesh) {
     pattern.marks.push_back(place_of(mark, pattern.positions));
   if (options.fold) pattern.fold = fold_line(pattern);
   std::vector<Text> beside_edges;
-  if (options.edge_lengths) add_edge_lengths(outline, options.edges, beside_edges);
+  if (options.edge_lengths) add_edge_lengths(outline, options, beside_edges);
   add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, beside_edges);
   std::vector<Polygon> free = free_loops(pattern);
   for (Polygon& box : boxes_of(beside_edges))

@@ -14,6 +14,7 @@
 #include "sheet/annotations.h"
 #include "sheet/laid_pieces.h"
 #include "sheet/piece/placed_pattern.h"
+#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -60,13 +61,13 @@ Path box_line(Vec2 low, Vec2 size) {
 
 std::string use_text(const NestJob& job, const Nesting& nesting) {
   const NestOptions& sheets = job.sheets;
-  const std::string used = decimals_text(nesting.used_length, 1) + " mm";
+  const Unit unit = job.patches.empty() ? Unit::mm : job.patches.front().annotations.sheet_unit;
+  const std::string used = sheet_length(nesting.used_length, unit, 1);
   const std::string share = decimals_text(100.0 * nesting.used_share(), 1) + " % in pieces";
-  if (!sheets.length) {
-    return "roll of width " + decimals_text(sheets.width, 1) + " mm, " + used + " used, " + share;
-  }
-  return "sheets " + decimals_text(sheets.width, 1) + " mm wide and " +
-         decimals_text(*sheets.length, 1) + " mm long, of the last " + used + " used, " + share;
+  const std::string width = sheet_length(sheets.width, unit, 1);
+  if (!sheets.length) return "roll of width " + width + ", " + used + " used, " + share;
+  return "sheets " + width + " wide and " + sheet_length(*sheets.length, unit, 1) +
+         " long, of the last " + used + " used, " + share;
 }
 
 /// Above the sheet, so that its corner stays the origin.

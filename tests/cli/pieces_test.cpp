@@ -70,9 +70,9 @@ TEST_F(PiecesOfAProduct, HaveSettingsOfTheirOwnOfWhichTheLastCounts) {
 }
 
 TEST_F(PiecesOfAProduct, HaveEdgesByNumberAndByName) {
-  const CliResult result = flatten({"--allowance", "10mm", "--edge-lengths", "--piece",
-                                    "front:edge.3=hem", "--piece", "front:allowance.hem=40mm",
-                                    "--piece", "front:allowance.1=none"});
+  const CliResult result =
+      flatten({"--allowance", "10mm", "--edge-lengths", "--piece", "front:edge.3=hem", "--piece",
+               "front:allowance.hem=40mm", "--piece", "front:allowance.1=none"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(sheet_of("front"), HasSubstr("allowance 10 mm, none at edge 1 and 40 mm at hem"));
   EXPECT_THAT(sheet_of("front"), HasSubstr(">hem 200.0<"));
@@ -81,8 +81,7 @@ TEST_F(PiecesOfAProduct, HaveEdgesByNumberAndByName) {
 }
 
 TEST_F(PiecesOfAProduct, AreLeftOutAndGetOtherNames) {
-  const CliResult result =
-      flatten({"--piece", "strap:out", "--piece", "front:name=lid", "--json"});
+  const CliResult result = flatten({"--piece", "strap:out", "--piece", "front:name=lid", "--json"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   const auto patches = result.json()["patches"];
   ASSERT_EQ(patches.size(), 2U);
@@ -112,9 +111,9 @@ TEST_F(PiecesOfAProduct, SayWhatIsWrongBeforeTheWork) {
   expect_refused({"--piece", "front"}, usage, "must be NAME:KEY=VALUE");
   expect_refused({"--piece", "front:quantity=x"}, usage, "--piece front: --quantity");
   expect_refused({"--piece", "front:allowance.hem=3mm"}, usage, "no edge is called \"hem\"");
-  expect_refused({"--piece", "front:edge.1=hem", "--piece", "front:allowance.hm=3mm",
-                  "--allowance", "3mm"},
-                 usage, "did you mean hem?");
+  expect_refused(
+      {"--piece", "front:edge.1=hem", "--piece", "front:allowance.hm=3mm", "--allowance", "3mm"},
+      usage, "did you mean hem?");
   expect_refused({"--piece", "front:edge.1=hem", "--piece", "front:edge.2=hem"}, usage,
                  "two edges are called \"hem\"");
   expect_refused({"--piece", "front:allowance.1=3mm"}, usage, "the piece has none");
@@ -141,16 +140,17 @@ TEST_F(PiecesOfAProduct, AreToldInTheProductFileToo) {
   std::ofstream("parts/bag.json") << R"({"pieces": [{"file": "front.obj", "name": "Front",
     "allowance": "12mm", "edge.1": "hem", "allowance.hem": "30mm", "notches": "notches.txt",
     "mirrored": true, "quantity": 4, "grain": "30deg"}]})";
-  const CliResult result = flatten({"--allowance", "5mm", "--piece", "Front:size=42"},
-                                   "parts/bag.json");
+  const CliResult result =
+      flatten({"--allowance", "5mm", "--piece", "Front:size=42"}, "parts/bag.json");
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(sheet_of("Front"), HasSubstr("allowance 12 mm, 30 mm at hem"));
   EXPECT_THAT(sheet_of("Front"), HasSubstr("size 42"));
   EXPECT_THAT(sheet_of("Front, mirrored"), HasSubstr("allowance 12 mm, 30 mm at hem"));
   EXPECT_THAT(sheet_of("Front, mirrored"), HasSubstr("cut 2 ×"));
   // What the command line says comes last.
-  const CliResult other = flatten({"--piece", "Front:allowance=8mm", "--piece",
-                                   "Front:quantity=2", "--resume"}, "parts/bag.json");
+  const CliResult other =
+      flatten({"--piece", "Front:allowance=8mm", "--piece", "Front:quantity=2", "--resume"},
+              "parts/bag.json");
   ASSERT_EQ(other.exit_code, k_exit_done) << other.err;
   EXPECT_THAT(sheet_of("Front"), HasSubstr("allowance 8 mm, 30 mm at hem"));
   EXPECT_THAT(sheet_of("Front"), HasSubstr("cut 1 ×"));

@@ -210,6 +210,12 @@ FlagGroup annotation_flags() {
        {"--edge-lengths", "",
         "write the lengths from corner to corner along the outline, and with flatten into "
         "edge-lengths.csv"},
+       {"--sheet-unit",
+        "UNIT",
+        "of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)",
+        0,
+        false,
+        {.choices = {"mm", "in"}, .standard = "mm"}},
        {"--curve-tolerance",
         "LENGTH",
         "how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from "
@@ -217,6 +223,11 @@ FlagGroup annotation_flags() {
         0,
         false,
         {.range = {.min = 0.0}}}}};
+}
+
+Unit sheet_unit_from(const Arguments& arguments) {
+  const std::vector<std::string> units = {"mm", "in"};
+  return unit_named(known_name("unit of sheets", arguments.text("--sheet-unit", "mm"), units));
 }
 
 std::optional<std::array<Index, 2>> fold_ends_from(const Arguments& arguments) {
@@ -241,6 +252,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.model_scale = scale_from(arguments);
   options.edge_lengths = arguments.has("--edge-lengths");
   options.curves = line_fit_from(arguments);
+  options.sheet_unit = sheet_unit_from(arguments);
   take_rows("--notches", arguments, notches_in, options.notches);
   take_rows("--inner-lines", arguments, inner_lines_in, options.inner_lines);
   take_rows("--edge-allowances", arguments, edge_allowances_in, options.edge_allowances);

@@ -140,9 +140,9 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern
                                                               report.unfold.unit))});
   }
   if (paths.contains("edge_lengths")) {
-    files.push_back(
-        {path_of(paths.at("edge_lengths")),
-         edge_lengths_csv(report.processed, report.unfold.pattern.positions, report.unfold.unit)});
+    files.push_back({path_of(paths.at("edge_lengths")),
+                     edge_lengths_csv(report.processed, report.unfold.pattern.positions,
+                                      report.unfold.unit, drawn.geometry.options)});
   }
   const auto history = paths.find("history");
   if (history != paths.end()) {

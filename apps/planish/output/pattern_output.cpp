@@ -8,6 +8,7 @@
 #include <planish/sheet/pattern_sheet.h>
 
 #include "draw/text/stroke_text.h"
+#include "flags/annotation_flags.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
 #include "output/machine.h"
@@ -243,6 +244,7 @@ PatternOutput pattern_output_from(const Arguments& arguments) {
   output.dxf.notch_strokes =
       known_name("kind of notches", arguments.text("--dxf-notches", "points"), notch_kinds()) ==
       "strokes";
+  output.dxf.unit = sheet_unit_from(arguments);
   if (arguments.has("--dxf-layers")) {
     output.dxf.layer_names = layer_names_from(arguments);
   }

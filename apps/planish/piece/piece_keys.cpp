@@ -13,8 +13,8 @@ namespace planish::cli {
 namespace {
 
 /// Flags about patterns as a whole, and the name, which is that of folder and reports as well.
-constexpr std::array<std::string_view, 5> k_of_all = {"piece-name", "seam-notches", "date",
-                                                      "edge-lengths", "curve-tolerance"};
+constexpr std::array<std::string_view, 6> k_of_all = {
+    "piece-name", "seam-notches", "date", "edge-lengths", "curve-tolerance", "sheet-unit"};
 
 template <class Names>
 bool has_name(const Names& names, std::string_view name) {
@@ -53,14 +53,16 @@ bool is_file_key(std::string_view key) {
 }
 
 bool is_edge_key(std::string_view key) {
-  return (key.starts_with(k_allowance_of) && key.size() > k_allowance_of.size()) ||
-         (key.starts_with(k_edge) && key.size() > k_edge.size());
+  const auto begins = [&](std::string_view start) {
+    return key.starts_with(start) && key.size() > start.size();
+  };
+  return begins(k_allowance_of) || begins(k_hem_of) || begins(k_edge);
 }
 
 void check_piece_key(const std::string& key, const std::string& where) {
   if (is_edge_key(key) || has_name(piece_keys(), key)) return;
   std::vector<std::string> known = piece_keys();
-  known.insert(known.end(), {"allowance.N", "edge.N"});
+  known.insert(known.end(), {"allowance.N", "hem.N", "edge.N"});
   throw UsageError(where + ": no setting is called \"" + key + "\"" + nearest_hint(key, known) +
                    " (there are " + list_of(known) + ")");
 }

@@ -6,8 +6,10 @@
 
 namespace planish::cli {
 
-/// Before the number or the name of an edge, as "allowance.2"; "edge.2" gives it its name.
-inline constexpr std::string_view k_allowance_of = "allowance.", k_edge = "edge.";
+/// Before the number or the name of an edge, as "allowance.2" and "hem.2"; "edge.2" gives it its
+/// name.
+inline constexpr std::string_view k_allowance_of = "allowance.", k_hem_of = "hem.",
+                                  k_edge = "edge.";
 
 /// Keys that settings of a piece have: names of flags without dashes, and "name", "material",
 /// "turn", "out".

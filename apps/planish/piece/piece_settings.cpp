@@ -115,35 +115,48 @@ int edge_number(const std::string& text, const std::string& key) {
   return std::stoi(text);
 }
 
+/// The edge that has the name or the number; of a number it may be new.
+PatternEdge& edge_called(const std::string& edge, const std::string& key,
+                         std::vector<PatternEdge>& edges) {
+  for (PatternEdge& known : edges) {
+    if (known.name == edge) return known;
+  }
+  if (edge.find_first_not_of("0123456789") != std::string::npos) {
+    std::vector<std::string> names;
+    for (const PatternEdge& known : edges)
+      names.push_back(known.name);
+    throw Error(ErrorCode::unknown_name, "no edge is called \"" + edge + "\"" +
+                                             nearest_hint(edge, names) +
+                                             "; give it a name, as edge.2=" + edge);
+  }
+  const int number = edge_number(edge, key);
+  for (PatternEdge& known : edges) {
+    if (known.number == number) return known;
+  }
+  return edges.emplace_back(PatternEdge{number});
+}
+
 /// What is asked for edges by number or by name.
 std::vector<PatternEdge> edges_of(const OwnSettings& own, const Arguments& arguments) {
   std::vector<PatternEdge> edges;
   std::vector<std::string> names;
   for (const auto& [key, value] : own.values) {
     if (!key.starts_with(k_edge)) continue;
+    if (value.find_first_of(",\"") != std::string::npos)
+      throw UsageError(key + " must be a name without commas and quotation marks");
     if (std::find(names.begin(), names.end(), value) != names.end())
       throw UsageError("two edges are called \"" + value + "\": give each a name of its own");
     edges.push_back({edge_number(key.substr(k_edge.size()), key), value});
     names.push_back(value);
   }
   for (const auto& [key, value] : own.values) {
-    if (!key.starts_with(k_allowance_of)) continue;
-    const std::string edge = key.substr(k_allowance_of.size());
-    auto found = std::find_if(edges.begin(), edges.end(),
-                              [&](const PatternEdge& known) { return known.name == edge; });
-    if (found == edges.end() && edge.find_first_not_of("0123456789") != std::string::npos) {
-      throw Error(ErrorCode::unknown_name, "no edge is called \"" + edge + "\"" +
-                                               nearest_hint(edge, names) +
-                                               "; give it a name, as edge.2=" + edge);
-    }
-    if (found == edges.end()) {
-      const int number = edge_number(edge, key);
-      found = std::find_if(edges.begin(), edges.end(),
-                           [&](const PatternEdge& known) { return known.number == number; });
-      if (found == edges.end()) found = edges.insert(edges.end(), PatternEdge{number});
-    }
-    if (found->allowance) throw UsageError("edge \"" + edge + "\" has two allowances");
-    found->allowance =
+    const bool is_hem = key.starts_with(k_hem_of);
+    if (!is_hem && !key.starts_with(k_allowance_of)) continue;
+    const std::string edge = key.substr(is_hem ? k_hem_of.size() : k_allowance_of.size());
+    PatternEdge& found = edge_called(edge, key, edges);
+    if (found.allowance) throw UsageError("edge \"" + edge + "\" has two allowances");
+    found.is_hem = is_hem;
+    found.allowance =
         value == "none" ? 0.0
                         : millimetres_per(unit_from(arguments)) *
                               quantity_value(key, value, Quantity::length, {.min = 0.0}, arguments);
@@ -240,7 +253,7 @@ Flag piece_flag() {
           "NAME:KEY=VALUE",
           "a setting of one piece instead of the flag: front:allowance=12mm; keys: " +
               list_of(piece_keys()) +
-              ", allowance.N of edge N and its name edge.N; none: without that flag",
+              ", allowance.N or hem.N of edge N and its name edge.N; none: without that flag",
           0,
           false,
           {.repeats = true}};

@@ -252,8 +252,8 @@ class ProductRun {
   std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin,
                                     const SewnBorder& border) {
     const ProductPatch* other = twin ? &job_.patches[twin->patch] : nullptr;
-    jobs_[p] = job_of(job_.patches[p], job_.places[p].format, job_.annotations[p],
-                      job_.requests[p].own, border, arguments_, other);
+    jobs_[p] = job_of(job_.patches[p], job_.places[p].format, job_.annotations[p], border,
+                      arguments_, other, job_.requests[p].own);
     if (!arguments_.has("--resume")) return std::nullopt;
     return finished_results(jobs_[p], folder_of(p));
   }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/number_text.h"
+#include "sheet/piece/sheet_length.h"
 
 namespace planish {
 
@@ -16,8 +16,8 @@ struct OtherWidth {
   std::vector<std::string> places;
 };
 
-std::string width_text(double width) {
-  return width > 0.0 ? fixed_text(width, 3) + " mm" : "none";
+std::string width_text(double width, Unit unit) {
+  return width > 0.0 ? short_sheet_length(width, unit, 3) : "none";
 }
 
 std::string list_text(const std::vector<std::string>& places) {
@@ -65,7 +65,7 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
     stretches.push_back(fold_stretch(outline, *options.fold));
     stretches.back().width = k_fold;
   }
-  std::string plain = width_text(usual) + " allowance";
+  std::string plain = width_text(usual, options.sheet_unit) + " allowance";
   if (stretches.empty()) return plain;
   const Allowance widths = with_edge_allowances({.width = usual}, outline, stretches);
   const bool has_usual = std::any_of(
@@ -74,12 +74,13 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
   const std::vector<OtherWidth> others =
       other_widths(outline, widths, usual, words_of_edges(outline, options.edges));
   if (others.empty()) return plain;
-  if (!has_usual && others.size() == 1) return width_text(others.front().width) + " allowance";
+  if (!has_usual && others.size() == 1)
+    return width_text(others.front().width, options.sheet_unit) + " allowance";
   std::string text = "allowance ";
-  if (has_usual) text += width_text(usual);
+  if (has_usual) text += width_text(usual, options.sheet_unit);
   for (std::size_t i = 0; i < others.size(); ++i) {
-    text += (i > 0 || has_usual ? ", " : "") + width_text(others[i].width) + " at " +
-            list_text(others[i].places);
+    text += (i > 0 || has_usual ? ", " : "") + width_text(others[i].width, options.sheet_unit) +
+            " at " + list_text(others[i].places);
   }
   return text;
 }

@@ -48,6 +48,8 @@ Allowance turned_round(Allowance allowance) {
     std::reverse(widths.begin(), widths.end());
   for (std::vector<unsigned char>& folds : allowance.folds)
     std::reverse(folds.begin(), folds.end());
+  for (std::vector<int>& hems : allowance.hems)
+    std::reverse(hems.begin(), hems.end());
   return allowance;
 }
 

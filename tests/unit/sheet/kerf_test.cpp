@@ -56,9 +56,7 @@ TEST(Kerf, JoinsTheAllowanceAndStaysWhereHolesHaveNone) {
               66.4 * 46.4 - (20.0 - 6.4) * (10.0 - 6.4), 1e-3);
   EXPECT_NEAR(cut_area(true, {.allowance = outside, .kerf = 0.4}),
               66.4 * 46.4 - (20.0 - 0.4) * (10.0 - 0.4), 1e-3);
-  EXPECT_NEAR(cut_area(false, {.allowance = wide,
-                               .edge_allowances = {{0, 6, 0.0}},
-                               .kerf = 0.4}),
+  EXPECT_NEAR(cut_area(false, {.allowance = wide, .edge_allowances = {{0, 6, 0.0}}, .kerf = 0.4}),
               66.4 * 43.4, 1e-3)
       << "also along an edge without an allowance";
 }

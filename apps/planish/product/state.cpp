@@ -162,8 +162,7 @@ std::optional<MeshFormat> format_among(const Json& files) {
 }  // namespace
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
-                const SewnBorder& border, const Arguments& arguments,
-                const ProductPatch* twin_of,
+                const SewnBorder& border, const Arguments& arguments, const ProductPatch* twin_of,
                 const std::map<std::string, std::string>& settings) {
   PatchJob job{patch.name,          format,
                hash_of(patch.mesh), hash_of(border),

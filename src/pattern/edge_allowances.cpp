@@ -93,26 +93,100 @@ EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold) {
                          : EdgeAllowance{fold.to, fold.from, 0.0, true};
 }
 
+namespace {
+
+PieceOutline mirror_image(PieceOutline outline) {
+  for (std::size_t k = 0; k < outline.loops.size(); ++k) {
+    for (Vec2& p : outline.loops[k])
+      p.x = 0.0 - p.x;
+    std::reverse(outline.loops[k].begin(), outline.loops[k].end());
+    std::reverse(outline.vertices[k].begin(), outline.vertices[k].end());
+  }
+  return outline;
+}
+
+/// An edge of the outline by its vertices.
+struct EdgeEnds {
+  std::size_t loop;
+  Index from, to;
+
+  bool operator==(const EdgeEnds&) const = default;
+};
+
+/// @param clockwise the outline is the mirror image of the one whose edges are counted
+std::vector<EdgeEnds> edge_ends(const PieceOutline& outline, bool clockwise) {
+  const PieceOutline counted = clockwise ? mirror_image(outline) : outline;
+  std::vector<EdgeEnds> ends;
+  for (const OutlineEdge& edge : edges_between_corners(counted)) {
+    const std::vector<Index>& vertices = counted.vertices[edge.loop];
+    const Index from = vertices[edge.points.front()], to = vertices[edge.points.back()];
+    ends.push_back(clockwise ? EdgeEnds{edge.loop, to, from} : EdgeEnds{edge.loop, from, to});
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
+                                               std::span<const PatternEdge> edges) {
+  std::vector<EdgeAllowance> allowances;
+  for (const PatternEdge& edge : edges) {
+    const std::vector<EdgeEnds> ends = edge_ends(outline, edge.clockwise);
+    if (edge.number < 1 || static_cast<std::size_t>(edge.number) > ends.size()) {
+      throw Error(ErrorCode::misplaced_allowance,
+                  "piece \"" + outline.piece + "\" has no edge " + std::to_string(edge.number) +
+                      ": from corner to corner there are " + std::to_string(ends.size()) +
+                      ", counted counter-clockwise, as edge-lengths.csv has them");
+    }
+    if (!edge.allowance) continue;
+    const EdgeEnds& own = ends[static_cast<std::size_t>(edge.number) - 1];
+    allowances.push_back({own.from, own.to, *edge.allowance, false, edge.is_hem});
+  }
+  return allowances;
+}
+
+std::vector<std::string> words_of_edges(const PieceOutline& outline,
+                                        std::span<const PatternEdge> edges) {
+  const std::vector<EdgeEnds> here = edge_ends(outline, false);
+  std::vector<std::string> words;
+  for (std::size_t e = 0; e < here.size(); ++e)
+    words.push_back(PatternEdge{static_cast<int>(e) + 1}.words());
+  for (const PatternEdge& edge : edges) {
+    const std::vector<EdgeEnds> ends = edge_ends(outline, edge.clockwise);
+    const auto number = static_cast<std::size_t>(edge.number);
+    if (edge.name.empty() || number < 1 || number > ends.size()) continue;
+    const auto found = std::find(here.begin(), here.end(), ends[number - 1]);
+    if (found != here.end()) words[static_cast<std::size_t>(found - here.begin())] = edge.name;
+  }
+  return words;
+}
+
 Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
                                std::span<const EdgeAllowance> edges) {
   check_edge_allowances(outline.vertices, edges, outline.piece);
   if (edges.empty()) return allowance;
   allowance.edge_widths.clear();
   allowance.folds.clear();
+  allowance.hems.clear();
   for (const Polygon& loop : outline.loops) {
     allowance.edge_widths.emplace_back(loop.size(), allowance.width);
     allowance.folds.emplace_back(loop.size(), 0);
+    allowance.hems.emplace_back(loop.size(), 0);
   }
+  int hems = 0;
   for (const EdgeAllowance& edge : edges) {
+    const int hem = edge.is_hem ? ++hems : 0;
     const Stretch stretch = *stretch_of(edge, outline.vertices);
     std::vector<double>& widths = allowance.edge_widths[stretch.loop];
     std::size_t at = stretch.from;
     do {
       widths[at] = edge.width;
       allowance.folds[stretch.loop][at] = edge.is_fold ? 1 : 0;
+      allowance.hems[stretch.loop][at] = hem;
       at = (at + 1) % widths.size();
     } while (at != stretch.to);
   }
+  if (hems == 0) allowance.hems.clear();
   return allowance;
 }
 

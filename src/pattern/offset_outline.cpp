@@ -14,6 +14,7 @@
 #include "geometry/crosses_itself.h"
 #include "pattern/allowance_joins.h"
 #include "pattern/bare_ends.h"
+#include "pattern/hems.h"
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/plane.h"
@@ -69,7 +70,7 @@ void check_counts(const PieceOutline& outline, const Allowance& allowance) {
            std::equal(of_loops.begin(), of_loops.end(), outline.loops.begin(), outline.loops.end(),
                       [](const auto& a, const auto& b) { return a.size() == b.size(); });
   };
-  if (fits(allowance.edge_widths) && fits(allowance.folds)) return;
+  if (fits(allowance.edge_widths) && fits(allowance.folds) && fits(allowance.hems)) return;
   throw Error(ErrorCode::option_out_of_range,
               about(outline) + "there must be one seam allowance for each edge of each loop");
 }
@@ -353,8 +354,9 @@ std::string_view to_string(Corners corners) {
   return "unknown";
 }
 
-std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& allowance) {
-  check(outline, allowance);
+std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& asked) {
+  check(outline, asked);
+  const Allowance allowance = without_hems(asked);
   // Holes without an allowance are kept as they are, whatever reaches them from the outside.
   const std::size_t widened = allowance.holes ? outline.loops.size() : 1;
   std::vector<Polygon> lines;
@@ -368,6 +370,7 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
   }
   std::vector<Polygon> result = winding_union(lines);
   if (allowance.holes) check_holes(outline, allowance, result);
+  if (!asked.hems.empty()) result = with_hems(outline, asked, std::move(result));
   result.insert(result.end(), outline.loops.begin() + static_cast<std::ptrdiff_t>(widened),
                 outline.loops.end());
   return result;

@@ -67,8 +67,21 @@ PatternOptions for_mirror_image(PatternOptions options) {
   return options;
 }
 
+PatternOptions on_mirrored_border(PatternOptions options) {
+  for (Notch& notch : options.notches) {
+    if (!notch.edge) notch.fraction = 1.0 - notch.fraction;
+  }
+  for (EdgeAllowance& edge : options.edge_allowances)
+    std::swap(edge.from, edge.to);
+  for (PatternEdge& edge : options.edges)
+    edge.clockwise = !edge.clockwise;
+  return options;
+}
+
 PatternOptions possible_options(PatternOptions options, bool overlaps) {
-  if (overlaps) options.allowance.reset();
+  if (!overlaps) return options;
+  options.allowance.reset();
+  options.kerf = 0.0;
   return options;
 }
 

@@ -17,6 +17,7 @@
 #include "pattern/polygon/free_strip.h"
 #include "sheet/piece/line_path.h"
 #include "sheet/piece/outline_paths.h"
+#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -216,17 +217,37 @@ Text text_beside(Vec2 at, Vec2 way, double gap, double height, std::string text)
 
 constexpr double k_length_gap = 2.75, k_length_height = 2.5;
 
+/// Before lengths: "hem ", or with settings of any edge the number of this one, as "2: ".
+std::vector<std::string> names_of_edges(const PieceOutline& outline,
+                                        const std::vector<PatternEdge>& named) {
+  std::vector<std::string> names = words_of_edges(outline, named);
+  for (std::size_t e = 0; e < names.size(); ++e) {
+    const bool is_number = names[e] == PatternEdge{static_cast<int>(e) + 1}.words();
+    names[e] = named.empty() ? "" : is_number ? std::to_string(e + 1) + ": " : names[e] + " ";
+  }
+  return names;
+}
+
+/// Millimetres need no word, inches have one.
+std::string length_of_edge(double length, Unit unit) {
+  return unit == Unit::mm ? decimals_text(length, 1) : sheet_length(length, unit, 1);
+}
+
 /// The lengths from corner to corner, each beside the middle of its edge, inside.
-void add_edge_lengths(const PieceOutline& outline, std::vector<Text>& texts) {
+void add_edge_lengths(const PieceOutline& outline, const PatternOptions& options,
+                      std::vector<Text>& texts) {
   constexpr double shortest = 5.0;
-  for (const OutlineEdge& edge : edges_between_corners(outline)) {
+  const std::vector<OutlineEdge> edges = edges_between_corners(outline);
+  const std::vector<std::string> names = names_of_edges(outline, options.edges);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const OutlineEdge& edge = edges[e];
     if (edge.length < shortest) continue;
     const Polygon& loop = outline.loops[edge.loop];
     const std::size_t k = edge.points.size() / 2;
     const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
     if (!(norm(way) > 0.0)) continue;
     texts.push_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
-                                decimals_text(edge.length, 1)));
+                                names[e] + length_of_edge(edge.length, options.sheet_unit)));
   }
 }
 
@@ -303,7 +324,7 @@ PatternGeometry annotated(PatternGeometry pattern, const TriMesh& mesh) {
     pattern.marks.push_back(place_of(mark, pattern.positions));
   if (options.fold) pattern.fold = fold_line(pattern);
   std::vector<Text> beside_edges;
-  if (options.edge_lengths) add_edge_lengths(outline, beside_edges);
+  if (options.edge_lengths) add_edge_lengths(outline, options, beside_edges);
   add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, beside_edges);
   std::vector<Polygon> free = free_loops(pattern);
   for (Polygon& box : boxes_of(beside_edges))

@@ -12,7 +12,9 @@
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
+#include "sheet/laid_pieces.h"
 #include "sheet/piece/placed_pattern.h"
+#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -59,13 +61,13 @@ Path box_line(Vec2 low, Vec2 size) {
 
 std::string use_text(const NestJob& job, const Nesting& nesting) {
   const NestOptions& sheets = job.sheets;
-  const std::string used = decimals_text(nesting.used_length, 1) + " mm";
+  const Unit unit = job.patches.empty() ? Unit::mm : job.patches.front().annotations.sheet_unit;
+  const std::string used = sheet_length(nesting.used_length, unit, 1);
   const std::string share = decimals_text(100.0 * nesting.used_share(), 1) + " % in pieces";
-  if (!sheets.length) {
-    return "roll of width " + decimals_text(sheets.width, 1) + " mm, " + used + " used, " + share;
-  }
-  return "sheets " + decimals_text(sheets.width, 1) + " mm wide and " +
-         decimals_text(*sheets.length, 1) + " mm long, of the last " + used + " used, " + share;
+  const std::string width = sheet_length(sheets.width, unit, 1);
+  if (!sheets.length) return "roll of width " + width + ", " + used + " used, " + share;
+  return "sheets " + width + " wide and " + sheet_length(*sheets.length, unit, 1) +
+         " long, of the last " + used + " used, " + share;
 }
 
 /// Above the sheet, so that its corner stays the origin.
@@ -104,12 +106,7 @@ NestPatch mirror_image(NestPatch patch) {
     std::swap(t[1], t[2]);
   for (Vec2& p : patch.pattern)
     p.x = 0.0 - p.x;
-  PatternOptions own = for_mirror_image(std::move(patch.annotations));
-  for (Notch& notch : own.notches) {
-    if (!notch.edge) notch.fraction = 1.0 - notch.fraction;
-  }
-  for (EdgeAllowance& edge : own.edge_allowances)
-    std::swap(edge.from, edge.to);
+  PatternOptions own = on_mirrored_border(for_mirror_image(std::move(patch.annotations)));
   own.like.reset();
   own.label.quantity = own.label.mirrored;
   own.label.mirrored = 0;
@@ -170,6 +167,7 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
   for (const NestPatch& patch : job.patches) {
     NestPiece& some = result.emplace_back();
     some.outline.piece = patch.name;
+    some.turns = patch.turns;
     some.quantity = patch.pattern.empty() ? 0 : copies_of(patch);
     if (patch.pattern.empty()) continue;
     PatternGeometry pattern = pattern_of(job, patch);
@@ -185,11 +183,21 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
 Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
                    const std::string& title) {
   const Vec2 size = {job.sheets.length.value_or(nesting.used_length), job.sheets.width};
-  Drawing sheet{title,
-                std::max(size.x, k_least_width),
-                size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
-                {}};
-  sheet.layers = empty_piece_layers();
+  Drawing sheet = laid_pieces(job, nesting, number);
+  sheet.title = title;
+  sheet.width = std::max(size.x, k_least_width);
+  sheet.height = size.y + sheet::k_gap + sheet::k_square + sheet::k_margin;
+  add_below_cut(sheet, nest_label(job, nesting, number, title, size, line_words(sheet.layers)));
+  sheet.notes = {use_text(job, nesting)};
+  return sheet;
+}
+
+void add_below_cut(Drawing& sheet, Layer layer) {
+  sheet.layers.insert(sheet.layers.end() - 1, std::move(layer));
+}
+
+Drawing laid_pieces(const NestJob& job, const Nesting& nesting, std::size_t number) {
+  Drawing sheet{"", 0.0, 0.0, empty_piece_layers()};
   std::optional<std::pair<std::size_t, PatternGeometry>> last;  // copies of a piece come together
   for (const NestPlacement& placement : nesting.placements) {
     if (placement.sheet != number) continue;
@@ -205,9 +213,6 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
       add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
     sheet.pieces.push_back({label.name, label.size, 1});
   }
-  Layer label = nest_label(job, nesting, number, title, size, line_words(sheet.layers));
-  sheet.layers.insert(sheet.layers.end() - 1, std::move(label));
-  sheet.notes = {use_text(job, nesting)};
   return sheet;
 }
 

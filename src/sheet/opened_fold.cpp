@@ -125,12 +125,27 @@ class FoldedHalf {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const Index a = loop[k], b = loop[(k + 1) % loop.size()];
         const double width = all.edge_widths[l][k];
-        if (width == k_usual || (is_on_fold(a) && is_on_fold(b))) continue;
+        const bool is_hem = !all.hems.empty() && all.hems[l][k] != 0;
+        if (width == k_usual || is_hem || (is_on_fold(a) && is_on_fold(b))) continue;
         opened.push_back({a, b, width});
         opened.push_back({image(b), image(a), width});
       }
     }
+    for (const EdgeAllowance& edge : edges) {
+      if (edge.is_hem) add_hem(edge, opened);
+    }
     return opened;
+  }
+
+  /// One that meets the fold goes on to its other end in the image.
+  void add_hem(const EdgeAllowance& hem, std::vector<EdgeAllowance>& opened) const {
+    EdgeAllowance whole = hem, other = hem;
+    other.from = image(hem.to);
+    other.to = image(hem.from);
+    if (is_on_fold(hem.to)) whole.to = image(hem.from);
+    if (is_on_fold(hem.from)) whole.from = image(hem.to);
+    opened.push_back(whole);
+    if (!is_on_fold(hem.from) && !is_on_fold(hem.to)) opened.push_back(other);
   }
 
   SurfacePoint image(SurfacePoint place) const {
@@ -183,6 +198,9 @@ class FoldedHalf {
     for (const Notch& notch : own.notches)
       add_notch(notch, notches);
     own.notches = std::move(notches);
+    for (const EdgeAllowance& edge : allowances_of_edges(half_.outline, own.edges))
+      own.edge_allowances.push_back(edge);
+    own.edges.clear();
     own.edge_allowances = opened_allowances(own.edge_allowances);
     add_images(own.marks);
     add_images(own.inner_lines);

@@ -21,6 +21,7 @@
 #include "pattern/polygon/loop_box.h"
 #include "sheet/limit_map.h"
 #include "sheet/piece/allowance_words.h"
+#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 #include "sheet/strain_map.h"
 
@@ -198,8 +199,12 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const PatternOptio
 
 std::string size_text(const PatternGeometry& pattern) {
   const std::string allowance = allowance_words(pattern.outline, pattern.options);
-  return decimals_text(pattern.size.x, 1) + " × " + decimals_text(pattern.size.y, 1) + " mm" +
-         (allowance.empty() ? "" : " + " + allowance);
+  const Unit unit = pattern.options.sheet_unit;
+  const int decimals = unit == Unit::mm ? 1 : 2;
+  return decimals_text(pattern.size.x / millimetres_per(unit), decimals) + " × " +
+         sheet_length(pattern.size.y, unit, 1) + (allowance.empty() ? "" : " + " + allowance) +
+         (pattern.options.kerf > 0.0 ? ", kerf " + short_sheet_length(pattern.options.kerf, unit, 3)
+                                     : "");
 }
 
 /// Empty where the allowance fills no slit.
@@ -208,7 +213,8 @@ std::string filled_slit_text(const PatternGeometry& pattern) {
   for (const FilledStretch& stretch : pattern.filled)
     length += stretch.length;
   if (!(length > 0.0)) return {};
-  return fixed_text(length, 0) + " mm of seam line in slits or darts that the allowance fills";
+  return short_sheet_length(length, pattern.options.sheet_unit, 0) +
+         " of seam line in slits or darts that the allowance fills";
 }
 
 std::string origin_text(const PatternGeometry& pattern) {

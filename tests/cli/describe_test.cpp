@@ -112,9 +112,9 @@ std::vector<std::string> command_with(const nlohmann::json& verb, const nlohmann
   if (name != "measure" && name != "convert") {
     words.emplace_back("--output");
     const bool draws = name == "unfold" || name == "frontier";
-    const std::string drawing = flag == "--paper"            ? "out.pdf"
-                                : flag.starts_with("--dxf-") ? "out.dxf"
-                                                             : "out.svg";
+    const std::string drawing = flag == "--paper" || flag == "--page-overlap" ? "out.pdf"
+                                : flag.starts_with("--dxf-")                  ? "out.dxf"
+                                                                              : "out.svg";
     words.push_back(draws ? drawing : "out.obj");
   }
   if (group["method"].is_string()) {
@@ -125,7 +125,8 @@ std::vector<std::string> command_with(const nlohmann::json& verb, const nlohmann
        {std::tuple{"--corners", "--allowance", "5"}, std::tuple{"--nest-gap", "--sheet", "1500mm"},
         std::tuple{"--nest-margin", "--sheet", "1500mm"}, std::tuple{"--turn", "--sheet", "1500mm"},
         std::tuple{"--seam-tolerance", "--sheet", "1500mm"},
-        std::tuple{"--dxf-notches", "--dxf-profile", "aama"}}) {
+        std::tuple{"--dxf-notches", "--dxf-profile", "aama"},
+        std::tuple{"--page-overlap", "--paper", "a4"}}) {
     if (flag != dependent) continue;
     words.emplace_back(other);
     words.emplace_back(with);

@@ -14,6 +14,8 @@ VALUES = {
     "--fields": ["fields.csv", "fields.vtp"],
     "--dxf-layers": ["cut=1"],
     "--allowance": ["3mm"],
+    "--kerf": ["0.2mm"],
+    "--page-overlap": ["20mm"],
     "--edge-allowances": ["allowances.txt"],
     "--notches": ["notches.txt"],
     "--notch-depth": ["1mm"],
@@ -88,6 +90,8 @@ LEFT_OUT = {
     "--avoid": "of --cut open",
     "--fold": "needs a straight border",
     "--without": "of several pieces",
+    "--piece": "of several pieces",
+    "--for": "stands for values of other flags",
 }
 # The same of one verb.
 LEFT_OUT_OF = {("flatten", "--output"): "always given"}
@@ -110,11 +114,13 @@ NEEDS = {
     "--dxf-version": [DXF],
     "--dxf-layers": [DXF],
     "--paper": [PDF],
+    "--page-overlap": ["--paper", PDF],
+    "--svg-groups": ["--output=flat.svg"],
     "--map": ["--output=flat.svg|flat.pdf"],
     "--only-layers": [DRAWN],
     **{flag: [DRAWN] for flag in ("--allowance", "--notches", "--grain", "--marks", "--inner-lines", "--piece-name",
                                   "--size", "--quantity", "--mirrored", "--fabric", "--note", "--date",
-                                  "--edge-lengths", "--curve-tolerance", "--text")},
+                                  "--edge-lengths", "--curve-tolerance", "--text", "--kerf", "--sheet-unit")},
 }
 
 # Settings that the program refuses together. A flag alone stands for all of its values. Each is tried once.
@@ -133,6 +139,8 @@ REFUSED = [
     "--pick=3 + --material",
     "--pick=6 + --material",
     "--formats=dxf,plt + --map",
+    "--formats=dxf,plt + --svg-groups",
+    "--formats=pdf,dxf + --svg-groups",
     "--formats=svg + --dxf-profile",
     "--formats=svg + --dxf-version",
     "--formats=svg + --dxf-layers",

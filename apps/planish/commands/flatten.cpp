@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -22,9 +23,11 @@
 #include "flatten/verdict.h"
 #include "model/model_flags.h"
 #include "output/flatten_files.h"
+#include "output/machine.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
 #include "output/pattern_output.h"
+#include "piece/piece_settings.h"
 #include "platform/path.h"
 #include "product/cut_product.h"
 #include "product/job.h"
@@ -91,8 +94,24 @@ struct FlattenRequest {
   std::shared_ptr<const NestRequest> nest;
 };
 
-ProductJob product_job(const FlattenRequest& request, ProductInput input,
-                       const std::optional<CutOutcome>& cut, const Arguments& arguments) {
+/// What is asked for each piece; those that get other names have them afterwards.
+std::vector<PieceRequest> requests_for(ProductInput& input, const PatternOptions& usual,
+                                       const Arguments& arguments, Session& session) {
+  std::vector<PieceRequest> requests =
+      piece_requests(input.patches, input.settings, usual, arguments, session);
+  std::map<std::string, std::string> names;
+  for (std::size_t p = 0; p < requests.size(); ++p) {
+    if (requests[p].name) names.emplace(input.patches[p].name, *requests[p].name);
+  }
+  give_names(input, std::move(names), "--piece");
+  return requests;
+}
+
+ProductJob product_job(FlattenRequest request, ProductInput input,
+                       const std::optional<CutOutcome>& cut, const Arguments& arguments,
+                       Session& session) {
+  std::vector<PieceRequest> requests =
+      requests_for(input, request.pattern.annotations, arguments, session);
   const std::vector<std::string>& inputs = arguments.operands;
   ProductJob job{.path = inputs.size() > 1 ? utf8_of(request.folder) : inputs.front(),
                  .patches = std::move(input.patches),
@@ -102,13 +121,16 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .cut = cut,
                  .folder = request.folder,
                  .options = product_options_from(arguments, request.options, cut.has_value()),
+                 .requests = std::move(requests),
                  .annotations = {},
                  .paths = {},
                  .files_of = {},
                  .nest = request.nest,
                  .formats = request.pattern.formats,
                  .output = request.pattern.output};
-  job.annotations = annotations_of_patches(request.pattern.annotations, job.patches, arguments);
+  // A product has its pages together.
+  if (!job.is_batch) request.pattern.output.pages.reset();
+  job.annotations = annotations_of_patches(job.requests, job.patches, arguments);
   std::vector<MeshFormat> formats;
   for (std::size_t p = 0; p < job.patches.size(); ++p) {
     job.patches[p].keep = named_vertices(job.annotations[p]);
@@ -118,13 +140,18 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
     job.paths.push_back(paths_in(request.folder / path_of(job.places[p].folder), formats[p],
                                  request.pattern, options.may_change(), arguments));
   }
-  job.files_of = [request, formats, paths = job.paths](const FlattenReport& report, std::size_t p,
-                                                       const PatternOptions& annotations) {
+  std::vector<std::optional<Turns>> turns;
+  for (const PieceRequest& own : job.requests)
+    turns.push_back(own.turns);
+  job.files_of = [request, formats, turns, paths = job.paths](const FlattenReport& report,
+                                                              std::size_t p,
+                                                              const PatternOptions& annotations) {
     ReportPageOptions words = request.words;
     const DrawnPattern drawn = drawn_pattern(report, annotations);
     if (request.nest) {
-      words.sheet =
-          fit_alone(nest_patch(report, drawn), request.options.unit, request.nest->sheets);
+      NestPatch alone = nest_patch(report, drawn);
+      alone.turns = turns[p];
+      words.sheet = fit_alone(std::move(alone), request.options.unit, request.nest->sheets);
     }
     return files_of(report, drawn, paths[p], formats[p],
                     {request.pattern.formats, request.pattern.output, annotations}, words,
@@ -240,7 +267,8 @@ CommandResult flatten_one(FlattenRequest request, ProductInput read,
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
 }
 
-CommandResult run_flatten(const Arguments& arguments, Session& session) {
+CommandResult run_flatten(const Arguments& given, Session& session) {
+  const Arguments arguments = without_pieces_out(with_machine(given));
   // Errors of the request come before any work.
   FlattenRequest request = flatten_request_from(arguments, session);
   ProductInput read =
@@ -249,12 +277,13 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   if (!read.is_described) note_idle_evolve_flags(session, arguments);
   const std::optional<CutOutcome> cut = cut_product(read, request.options, arguments, session);
   request.options.constraints.symmetric_in = read.symmetric_in;
-  const bool is_product = read.patches.size() > 1 || read.is_described;
+  const bool is_product = read.patches.size() > 1 || read.is_described || arguments.has("--piece");
   if (is_product) rename_pieces(read, arguments);
   if (is_product || read.patches.front().failure) {
     check_copies_of(read.patches.size(),
                     plan_of(request.pattern, request.options.unit, request.nest.get()));
-    return run_product(product_job(request, std::move(read), cut, arguments), arguments, session);
+    return run_product(product_job(std::move(request), std::move(read), cut, arguments, session),
+                       arguments, session);
   }
   refuse_product_flags(arguments, !read.left_out.empty());
   return flatten_one(std::move(request), std::move(read), cut, arguments, session);

@@ -16,6 +16,7 @@
 #include "flags/unfold_flags.h"
 #include "flags/units.h"
 #include "model/model_flags.h"
+#include "output/machine.h"
 #include "output/pattern_notes.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
@@ -63,7 +64,7 @@ Written written_as(const std::string& path, const std::string& name, const Patch
   PatternGeometry pattern = pattern_geometry(mesh, report, name, annotations);
   Drawing sheet = pattern_sheet(mesh, report, pattern);
   std::string content =
-      output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
+      output.pages ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
   return {std::move(content), std::move(pattern), std::move(sheet)};
 }
 
@@ -116,11 +117,12 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
 }
 
 CommandResult unfold_several(const Arguments& all, Session& session) {
-  const Arguments arguments = with_files_that_are_asked_for(all, session);
+  const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
+  const Arguments arguments =
+      with_machine(with_files_that_are_asked_for(all, session), "pattern" + extension);
   refuse_single_file_flags(
       arguments, std::array{"--cut", "--avoid", "--symmetric", "--mirror-surface", "--notches",
                             "--marks", "--edge-allowances", "--inner-lines", "--piece-name"});
-  const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
   const UnfoldRequest request = request_from(arguments, "pattern" + extension);
   const SeveralFiles job = {
       .columns = unfolded_columns(),
@@ -133,10 +135,11 @@ CommandResult unfold_several(const Arguments& all, Session& session) {
   return run_several(job, arguments, session);
 }
 
-CommandResult run_unfold(const Arguments& arguments, Session& session) {
-  if (takes_several(arguments)) return unfold_several(arguments, session);
-  output_format_from(arguments, output_names());
-  const std::string output = arguments.text("--output");
+CommandResult run_unfold(const Arguments& given, Session& session) {
+  if (takes_several(given)) return unfold_several(given, session);
+  output_format_from(given, output_names());
+  const std::string output = given.text("--output");
+  const Arguments arguments = with_machine(given, output);
   UnfoldRequest request = request_from(arguments, output);
 
   const std::string& path = arguments.operands.front();
@@ -164,7 +167,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
     if (format == PatternFormat::plt) note_plotter_reach(session, report);
     note_spelling(session, words_of(name, request.annotations.label), {*format}, request.output);
     note_empty_layers(session, written.sheet, request.output);
-    if (!request.output.paper) note_divided_pages(session, files, request.output);
+    if (!request.output.pages) note_divided_pages(session, files, request.output);
   }
   CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +
                                unfold_text(report, cautions),

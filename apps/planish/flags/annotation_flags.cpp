@@ -166,6 +166,13 @@ FlagGroup annotation_flags() {
         0,
         false,
         {.choices = {"yes", "no"}, .standard = "yes"}},
+       {"--kerf",
+        "LENGTH",
+        "that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and "
+        "into holes (default 0)",
+        0,
+        false,
+        {.range = {.min = 0.0}, .standard = "0"}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--fold", "V,W",
@@ -204,6 +211,12 @@ FlagGroup annotation_flags() {
        {"--edge-lengths", "",
         "write the lengths from corner to corner along the outline, and with flatten into "
         "edge-lengths.csv"},
+       {"--sheet-unit",
+        "UNIT",
+        "of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)",
+        0,
+        false,
+        {.choices = {"mm", "in"}, .standard = "mm"}},
        {"--curve-tolerance",
         "LENGTH",
         "how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from "
@@ -211,6 +224,11 @@ FlagGroup annotation_flags() {
         0,
         false,
         {.range = {.min = 0.0}}}}};
+}
+
+Unit sheet_unit_from(const Arguments& arguments) {
+  const std::vector<std::string> units = {"mm", "in"};
+  return unit_named(known_name("unit of sheets", arguments.text("--sheet-unit", "mm"), units));
 }
 
 std::optional<std::array<Index, 2>> fold_ends_from(const Arguments& arguments) {
@@ -223,6 +241,10 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   refuse_idle_flags(arguments, writes_sheet);
   PatternOptions options;
   options.allowance = allowance_from(arguments);
+  if (arguments.has("--kerf"))
+    options.kerf = millimetres_per(unit_from(arguments)) *
+                   quantity_value("--kerf", arguments.value("--kerf"), Quantity::length,
+                                  {.min = 0.0, .max = 1e6}, arguments);
   options.notch_sizes = notch_sizes_from(arguments, options.allowance);
   options.fold = fold_from(arguments);
   options.grain = grain_from(arguments);
@@ -231,6 +253,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.model_scale = scale_from(arguments);
   options.edge_lengths = arguments.has("--edge-lengths");
   options.curves = line_fit_from(arguments);
+  options.sheet_unit = sheet_unit_from(arguments);
   take_rows("--notches", arguments, notches_in, options.notches);
   take_rows("--inner-lines", arguments, inner_lines_in, options.inner_lines);
   take_rows("--edge-allowances", arguments, edge_allowances_in, options.edge_allowances);

@@ -23,6 +23,10 @@ FlagGroup annotation_flags();
 /// @throws UsageError, Error option_out_of_range, and as read_rows(), notches_in() and the like
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet);
 
+/// That of --sheet-unit: mm or in.
+/// @throws UsageError
+Unit sheet_unit_from(const Arguments& arguments);
+
 /// The ends of --fold, as UnfoldOptions has them.
 /// @throws UsageError
 std::optional<std::array<Index, 2>> fold_ends_from(const Arguments& arguments);

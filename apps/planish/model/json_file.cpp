@@ -10,6 +10,7 @@
 #include <planish/core/error.h>
 
 #include "platform/path.h"
+#include "shell/nearest.h"
 #include "shell/values.h"
 
 namespace planish::cli {
@@ -65,7 +66,8 @@ JsonEntry::JsonEntry(const Json& json, std::string where, std::span<const std::s
   if (!json.is_object()) refuse(where_, "must be an object: {...}");
   for (const auto& [key, value] : json.items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      refuse(where_, "unknown key \"" + key + "\"; known are " + list_of(keys));
+      refuse(where_, "unknown key \"" + key + "\"" + nearest_hint(key, keys) + "; known are " +
+                         list_of(keys));
   }
 }
 

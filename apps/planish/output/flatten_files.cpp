@@ -42,7 +42,7 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Drawing
                        pattern_file(*as_designed, format, pattern.output)});
     }
   }
-  if (pattern.output.paper) {
+  if (pattern.output.pages) {
     files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
   }
   return files;
@@ -75,7 +75,7 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
   PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments),
                           annotations_from(arguments, true)};
   std::vector<PatternFormat> written = pattern.formats;
-  if (pattern.output.paper) written.push_back(PatternFormat::pdf);
+  if (pattern.output.pages) written.push_back(PatternFormat::pdf);
   refuse_idle_pattern_flags(arguments, written);
   return pattern;
 }
@@ -99,9 +99,8 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
     paths[role_of("pattern", some)] = in_folder("pattern" + ending);
     if (with_design) paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
   }
-  if (pattern.output.paper) {
-    const std::string paper(to_string(*pattern.output.paper));
-    paths["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
+  if (pattern.output.pages) {
+    paths["pattern_pages"] = in_folder("pattern-" + pattern.output.pages->paper.name + ".pdf");
   }
   if (arguments.has("--edge-lengths")) paths["edge_lengths"] = in_folder("edge-lengths.csv");
   if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
@@ -141,9 +140,9 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern
                                                               report.unfold.unit))});
   }
   if (paths.contains("edge_lengths")) {
-    files.push_back(
-        {path_of(paths.at("edge_lengths")),
-         edge_lengths_csv(report.processed, report.unfold.pattern.positions, report.unfold.unit)});
+    files.push_back({path_of(paths.at("edge_lengths")),
+                     edge_lengths_csv(report.processed, report.unfold.pattern.positions,
+                                      report.unfold.unit, drawn.geometry.options)});
   }
   const auto history = paths.find("history");
   if (history != paths.end()) {

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <map>
 #include <set>
-#include <string_view>
 #include <system_error>
 
 #include "draw/pdf/pdf_text.h"
@@ -29,14 +28,6 @@ std::string spelled_in(PatternFormat format, const std::string& word, const Patt
   if (is_apparel) return in_stroke_letters(word) == word ? word : ascii_text(word);
   if (output.stroked_text || format == PatternFormat::plt) return in_stroke_letters(word);
   return format == PatternFormat::pdf ? in_pdf_letters(word) : word;
-}
-
-/// 0 of what is no PDF.
-int pages_in(std::string_view pdf) {
-  constexpr std::string_view before = "/Type /Pages /Count ";
-  const std::size_t at = pdf.find(before);
-  if (at == std::string_view::npos) return 0;
-  return std::atoi(std::string(pdf.substr(at + before.size(), 10)).c_str());
 }
 
 /// "layout-2.pdf": what a drawing of `flatten` is called.
@@ -71,6 +62,13 @@ void note_holes_left_out(Session& session, const Drawing& drawing, const Pattern
 
 }  // namespace
 
+int pages_in(std::string_view pdf) {
+  constexpr std::string_view before = "/Type /Pages /Count ";
+  const std::size_t at = pdf.find(before);
+  if (at == std::string_view::npos) return 0;
+  return std::atoi(std::string(pdf.substr(at + before.size(), 10)).c_str());
+}
+
 std::vector<std::string> words_of(const std::string& name, const PieceLabel& label) {
   return {name, label.name, label.size, label.fabric, label.note};
 }
@@ -95,6 +93,7 @@ void note_spelling(Session& session, const std::vector<std::string>& words,
 }
 
 void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output) {
+  if (!output.layers_by_name) return;
   note_holes_left_out(session, drawing, output);
   std::vector<std::string> empty, there;
   for (const Layer& layer : drawing.layers) {
@@ -118,8 +117,7 @@ void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
   for (const OutputFile& file : files) {
     if (pattern_format_of(utf8_of(file.path)) != PatternFormat::pdf) continue;
     const bool is_asked =
-        output.paper &&
-        utf8_of(file.path.stem()).ends_with("-" + std::string(to_string(*output.paper)));
+        output.pages && utf8_of(file.path.stem()).ends_with("-" + output.pages->paper.name);
     const int pages = pages_in(file.content);
     if (is_asked) continue;
     if (pages > 1) {

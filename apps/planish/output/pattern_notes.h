@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <planish/draw/drawing.h>
@@ -27,6 +28,9 @@ void note_spelling(Session& session, const std::vector<std::string>& words,
 /// Notes which of the layers that alone are written (--only-layers) have nothing on them in a
 /// drawing, which layers have, and whether holes are left out of what is cut.
 void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output);
+
+/// How many pages a PDF of ours has; 0 of what is no PDF.
+int pages_in(std::string_view pdf);
 
 /// Notes which .pdf files are longer than a page can be: they are divided into pages, or too large
 /// even for that.

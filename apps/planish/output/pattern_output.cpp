@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <planish/draw/format_drawing.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include "draw/text/stroke_text.h"
+#include "flags/annotation_flags.h"
+#include "flags/quantities.h"
+#include "flags/units.h"
+#include "output/machine.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/nearest.h"
@@ -62,8 +67,55 @@ std::map<std::string, std::string, std::less<>> layer_names_from(const Arguments
   return names;
 }
 
+std::vector<std::string> paper_names() {
+  std::vector<std::string> names;
+  for (const Paper& paper : papers())
+    names.push_back(paper.name);
+  return names;
+}
+
+/// One with a name, or as "36inx48in" one of its own size.
+Paper paper_from(const Arguments& arguments) {
+  const std::string text = arguments.text("--paper");
+  const std::size_t sign = text.find('x', 1);
+  const bool is_size = !text.empty() && text.find_first_of("0123456789") == 0;
+  if (!is_size || sign == std::string::npos)
+    return paper_named(known_name("paper", text, paper_names()));
+  const auto side = [&](const std::string& length) {
+    if (length.find_first_not_of("0123456789.") == std::string::npos) {
+      throw UsageError("--paper is \"" + text + "\" but needs units, as 36inx48in or 900mmx1200mm");
+    }
+    constexpr Range range = {.min = std::numeric_limits<double>::min(), .max = 1e7};
+    return millimetres_per(unit_from(arguments)) *
+           quantity_value("--paper", length, Quantity::length, range, arguments);
+  };
+  const double one = side(text.substr(0, sign)), other = side(text.substr(sign + 1));
+  return {text, std::min(one, other), std::max(one, other)};
+}
+
+/// @throws UsageError, Error option_out_of_range
+std::optional<PageOptions> pages_from(const Arguments& arguments) {
+  if (!arguments.has("--paper")) {
+    if (arguments.has("--page-overlap"))
+      throw UsageError("flag --page-overlap goes with --paper only");
+    return std::nullopt;
+  }
+  PageOptions pages{.paper = paper_from(arguments)};
+  if (arguments.has("--page-overlap")) {
+    pages.overlap = millimetres_per(unit_from(arguments)) *
+                    quantity_value("--page-overlap", arguments.value("--page-overlap"),
+                                   Quantity::length, {.min = 0.0, .max = 1e7}, arguments);
+  }
+  page_room(pages, false);  // refuses what leaves no room
+  return pages;
+}
+
 std::vector<std::string> text_kinds() {
   return {"letters", "strokes"};
+}
+
+std::vector<std::string> group_kinds() {
+  return {"layers", "pieces"};
 }
 
 std::vector<std::string> notch_kinds() {
@@ -121,10 +173,17 @@ std::optional<PatternFormat> pattern_format_of(const std::string& path) {
 std::vector<Flag> pattern_flags(const std::string& paper_doc) {
   return {{"--paper",
            "PAPER",
-           paper_doc + ": " + list_of(names_of(k_papers)),
+           paper_doc + ": " + list_of(paper_names()) + ", or a size of your own as 36inx48in",
            0,
            false,
-           {.choices = names_of(k_papers)}},
+           {.type = ValueType::text, .choices = paper_names()}},
+          {"--page-overlap",
+           "LENGTH",
+           "of neighbouring pages of --paper (default 10mm)",
+           0,
+           false,
+           {.range = {.min = 0.0}, .standard = "10mm"}},
+          machine_flag(),
           {"--map", "",
            "draw the strain map and its legend, in .svg, .pdf and on the pages of --paper"},
           {"--only-layers",
@@ -139,6 +198,13 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
            0,
            false,
            {.choices = text_kinds(), .standard = "letters"}},
+          {"--svg-groups",
+           "KIND",
+           "in the .svg a group for each of the layers, or of the pieces with their layers inside "
+           "(default layers)",
+           0,
+           false,
+           {.choices = group_kinds(), .standard = "layers"}},
           {"--dxf-profile",
            "NAME",
            "whom the .dxf is for: " + list_of(names_of(k_dxf_profiles)) + " (default generic)",
@@ -168,19 +234,21 @@ PatternOutput pattern_output_from(const Arguments& arguments) {
       known_name("kind of text", arguments.text("--text", "letters"), text_kinds()) == "strokes";
   output.dxf.profile = dxf_profile_named(
       known_name("profile", arguments.text("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
+  output.svg.by_piece = known_name("kind of groups", arguments.text("--svg-groups", "layers"),
+                                   group_kinds()) == "pieces";
   output.map = arguments.has("--map");
   output.only_layers = only_layers_from(arguments);
+  output.layers_by_name = !has_layers_of_machine(arguments);
   output.dxf.version =
       value_named("version of DXF", arguments.text("--dxf-version", "r12"), k_dxf_versions);
   output.dxf.notch_strokes =
       known_name("kind of notches", arguments.text("--dxf-notches", "points"), notch_kinds()) ==
       "strokes";
+  output.dxf.unit = sheet_unit_from(arguments);
   if (arguments.has("--dxf-layers")) {
     output.dxf.layer_names = layer_names_from(arguments);
   }
-  if (arguments.has("--paper")) {
-    output.paper = paper_named(known_name("paper", arguments.text("--paper"), names_of(k_papers)));
-  }
+  output.pages = pages_from(arguments);
   return output;
 }
 
@@ -198,6 +266,7 @@ void refuse_idle_pattern_flags(const Arguments& arguments,
   check("--text", !formats.empty(), "svg, dxf, pdf and plt");
   check("--dxf-profile", writes(PatternFormat::dxf), "dxf");
   check("--dxf-layers", writes(PatternFormat::dxf), "dxf");
+  check("--svg-groups", writes(PatternFormat::svg), "svg");
   check("--map", writes(PatternFormat::svg) || writes(PatternFormat::pdf), "svg and pdf");
   check("--only-layers", !formats.empty(), "svg, dxf, pdf and plt");
   const bool is_apparel =
@@ -231,7 +300,7 @@ std::string pattern_file(const Drawing& sheet, PatternFormat format, const Patte
   const Drawing drawing = prepared(sheet, format, output);
   switch (format) {
     case PatternFormat::svg:
-      return format_svg(drawing);
+      return format_svg(drawing, output.svg);
     case PatternFormat::dxf:
       return format_dxf(drawing, output.dxf);
     case PatternFormat::pdf:
@@ -243,7 +312,7 @@ std::string pattern_file(const Drawing& sheet, PatternFormat format, const Patte
 }
 
 std::string tiled_file(const Drawing& sheet, const PatternOutput& output) {
-  return format_tiled_pdf(prepared(sheet, PatternFormat::pdf, output), *output.paper);
+  return format_tiled_pdf(prepared(sheet, PatternFormat::pdf, output), *output.pages);
 }
 
 }  // namespace planish::cli

@@ -22,13 +22,16 @@ std::optional<PatternFormat> pattern_format_of(const std::string& path);
 /// How patterns are written.
 struct PatternOutput {
   DxfOptions dxf;
-  std::optional<Paper> paper;  ///< of pages to be joined
+  SvgOptions svg = {};
+  std::optional<PageOptions> pages;  ///< to be joined
   bool stroked_text = false;
   bool map = false;                      ///< with the strain map, in .svg and .pdf
   std::vector<std::string> only_layers;  ///< that are written; empty: all
+  bool layers_by_name = true;            ///< the user has named these layers
 };
 
-/// --paper, --map, --only-layers, --text, and how a .dxf is written, for verbs that write patterns.
+/// --paper, --page-overlap, --map, --only-layers, --text, and how a .dxf is written, for verbs that
+/// write patterns.
 /// @param paper_doc what --paper does there
 std::vector<Flag> pattern_flags(const std::string& paper_doc);
 
@@ -48,7 +51,7 @@ std::vector<PatternFormat> formats_from(const Arguments& arguments);
 /// The content of a pattern's file on one sheet.
 std::string pattern_file(const Drawing& sheet, PatternFormat format, const PatternOutput& output);
 
-/// The content of a PDF on pages of output.paper.
+/// The content of a PDF on output.pages.
 std::string tiled_file(const Drawing& sheet, const PatternOutput& output);
 
 }  // namespace planish::cli

@@ -13,6 +13,7 @@
 #include "flags/unfold_flags.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
+#include "piece/piece_keys.h"
 #include "platform/path.h"
 #include "product/nest.h"
 #include "product/rename.h"
@@ -31,13 +32,20 @@ namespace planish::cli {
 
 namespace {
 
+/// How several patches may have what a flag asks of one.
+std::string way_for_pieces(const std::string& flag) {
+  const std::string key = flag.substr(2);
+  return is_flag_of_piece(key) ? ", or ask for it with --piece NAME:" + key + "=..." : "";
+}
+
 void refuse_single_patch_flags(const Arguments& arguments) {
   for (const char* flag :
        {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches", "--marks",
         "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) +
-                     " goes with one patch only; the input has several: take one with --only NAME");
+                     " goes with one patch only; the input has several: take one with --only NAME" +
+                     way_for_pieces(flag));
   }
 }
 
@@ -91,15 +99,18 @@ class ProductRun {
                                      {job_.folder / path_of("garment.html"), page(nesting)},
                                      {job_.folder / path_of("garment.svg"), picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
+    const ProductPages pages = on_pages();
+    files.insert(files.end(), pages.files.begin(), pages.files.end());
     const bool writes_dxf = std::find(job_.formats.begin(), job_.formats.end(),
                                       PatternFormat::dxf) != job_.formats.end();
     if (writes_dxf && job_.output.dxf.profile != DxfProfile::generic)
       files.push_back({job_.folder / path_of("garment.dxf"), pieces_in_dxf()});
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
-            (nesting ? nesting->text : "") + written_text(files) +
+            (nesting ? nesting->text : "") + pages.text + written_text(files) +
             "Each patch has a folder of its own beside these; patterns lie outer side up.\n";
-    CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
+    CommandResult outcome =
+        with_pages_checked(with_nesting_checked(with_exit_code({text, garment}), nesting), pages);
     note_cautions_and_sizes(session_, report_, arguments_.has("--unit"));
     note_words();
     note_patterns();
@@ -146,8 +157,10 @@ class ProductRun {
     const bool has_allowance =
         std::any_of(job_.annotations.begin(), job_.annotations.end(),
                     [](const PatternOptions& own) { return own.allowance.has_value(); });
-    if (!has_allowance && !arguments_.has("--seam-notches") && job_.output.only_layers.empty())
-      return;
+    const bool has_notches =
+        std::any_of(job_.annotations.begin(), job_.annotations.end(),
+                    [](const PatternOptions& own) { return !own.notches.empty(); });
+    if (!has_allowance && !has_notches && job_.output.only_layers.empty()) return;
     try {
       const NestJob pieces{patches_with_notches(), report_.unit};
       std::vector<PatternGeometry> patterns;
@@ -199,15 +212,22 @@ class ProductRun {
   /// Notches are put on seams anew: processed patches may have other numbers of vertices.
   std::vector<NestPatch> patches_with_notches() const {
     std::vector<PatternOptions> annotations = job_.annotations;
-    for (PatternOptions& own : annotations)
-      own.notches.clear();
+    for (std::size_t p = 0; p < annotations.size(); ++p) {
+      annotations[p].notches = job_.requests[p].annotations.notches;
+      const auto& finished = report_.patches[p].finished;
+      if (finished && !finished->source.empty())
+        annotations[p] = renumbered(std::move(annotations[p]), finished->source);
+    }
     std::vector<TriMesh> meshes;
     for (const ProductPatch& patch : job_.patches)
       meshes.push_back(patch.mesh);
     const std::vector<SeamNotch> notches = seam_notches_from(arguments_, meshes);
-    return about(arguments_.text("--seam-notches"), [&] {
+    std::vector<NestPatch> patches = about(arguments_.text("--seam-notches"), [&] {
       return patches_to_cut(job_.patches, report_, std::move(annotations), notches);
     });
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      patches[p].turns = job_.requests[p].turns;
+    return patches;
   }
 
   /// All patches on sheets, if that was asked for.
@@ -215,6 +235,14 @@ class ProductRun {
     if (!job_.nest) return std::nullopt;
     return try_nest_patches(patches_with_notches(), report_.unit, *job_.nest, job_.folder,
                             stem_of(job_.path), session_);
+  }
+
+  /// All patches on pages, if that was asked for. Those of a batch have pages of their own.
+  ProductPages on_pages() const {
+    if (!job_.output.pages || job_.is_batch) return {};
+    return product_pages(patches_with_notches(), report_.unit,
+                         job_.nest ? &job_.nest->sheets : nullptr, job_.output, job_.folder,
+                         stem_of(job_.path), session_);
   }
 
   /// As apparel programs read them.
@@ -228,7 +256,7 @@ class ProductRun {
                                     const SewnBorder& border) {
     const ProductPatch* other = twin ? &job_.patches[twin->patch] : nullptr;
     jobs_[p] = job_of(job_.patches[p], job_.places[p].format, job_.annotations[p], border,
-                      arguments_, other);
+                      arguments_, other, job_.requests[p].own);
     if (!arguments_.has("--resume")) return std::nullopt;
     return finished_results(jobs_[p], folder_of(p));
   }
@@ -338,6 +366,7 @@ std::vector<Flag> product_flags() {
       {"--product", "",
        "take several files for the parts of one product: search for seams between them"},
       rename_flag(),
+      piece_flag(),
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
@@ -367,7 +396,7 @@ void refuse_seam_flags(const Arguments& arguments) {
   }
 }
 
-std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotations,
+std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceRequest>& requests,
                                                    const std::vector<ProductPatch>& patches,
                                                    const Arguments& arguments) {
   refuse_single_patch_flags(arguments);
@@ -387,7 +416,9 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
   const std::vector<Seam> seams =
       find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments));
   std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes);
-  std::vector<PatternOptions> result(patches.size(), annotations);
+  std::vector<PatternOptions> result;
+  for (const PieceRequest& request : requests)
+    result.push_back(request.annotations);
   if (matches_seams_of_product(arguments)) {
     for (const Seam& seam : seams) {
       for (const SeamSide& side : seam.sides)
@@ -399,7 +430,7 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
     label.name = names[p];
     if (label.fabric.empty()) label.fabric = patches[p].words.material;
     if (patches[p].words.quantity > 0) label.quantity = patches[p].words.quantity;
-    result[p].notches = std::move(notches[p]);
+    result[p].notches.insert(result[p].notches.end(), notches[p].begin(), notches[p].end());
     result[p].seam_numbers = std::move(numbers[p]);
   }
   return result;

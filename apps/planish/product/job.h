@@ -14,6 +14,7 @@
 
 #include "cut/cut_flag.h"
 #include "output/pattern_output.h"
+#include "piece/piece_settings.h"
 #include "product/parts.h"
 #include "shell/command.h"
 #include "shell/session.h"
@@ -32,7 +33,8 @@ struct ProductJob {
   std::optional<CutOutcome> cut = {};  ///< that made the patches; nothing where none was cut
   std::filesystem::path folder;        ///< each patch's is in it
   ProductOptions options;
-  std::vector<PatternOptions> annotations;  ///< of each patch
+  std::vector<PieceRequest> requests;       ///< of each patch, what is asked for it
+  std::vector<PatternOptions> annotations;  ///< of each patch, with notches on seams
   std::vector<WrittenFiles> paths;          ///< of each patch, what is written of it
   /// Makes the files of a patch. Called from any thread.
   std::function<std::vector<OutputFile>(const FlattenReport&, std::size_t patch,
@@ -55,10 +57,10 @@ void refuse_product_flags(const Arguments& arguments, bool is_of_several);
 /// @throws UsageError for flags of seams, which are not searched between the files of a batch
 void refuse_seam_flags(const Arguments& arguments);
 
-/// What each patch gets on its pattern: what the flags ask of all, its name, and the notches on its
+/// What each patch gets on its pattern: what is asked for it, its name, and the notches on its
 /// seams and their numbers.
 /// @throws UsageError for flags that make sense only with one patch, Error as notches_on_seams()
-std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotations,
+std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceRequest>& requests,
                                                    const std::vector<ProductPatch>& patches,
                                                    const Arguments& arguments);
 

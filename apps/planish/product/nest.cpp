@@ -8,6 +8,7 @@
 
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "output/pattern_notes.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/text.h"
@@ -16,8 +17,6 @@
 namespace planish::cli {
 
 namespace {
-
-constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns::free};
 
 Turns turns_from(const Arguments& arguments) {
   if (!arguments.has("--turn")) return k_turns.front();
@@ -204,14 +203,48 @@ NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const Ne
   }
 }
 
+ProductPages product_pages(std::vector<NestPatch> patches, Unit unit, const NestOptions* sheets,
+                           const PatternOutput& output, const std::filesystem::path& folder,
+                           const std::string& title, Session& session) {
+  NestJob job{with_mirror_images(with_folds_opened(std::move(patches), unit)), unit,
+              sheets != nullptr ? *sheets : NestOptions{.turns = Turns::free}};
+  PatternOutput written = output;
+  written.pages->one_page = true;
+  const std::string& paper = written.pages->paper.name;
+  ProductPages pages;
+  try {
+    const Drawing sheet =
+        page_sheet(std::move(job), *written.pages, title, session.job_context(title));
+    pages.files.push_back(
+        {folder / path_of("garment-" + paper + ".pdf"), tiled_file(sheet, written)});
+    pages.text = "\n" + counted(sheet.pieces.size(), "piece") + " on " +
+                 counted(static_cast<std::size_t>(pages_in(pages.files.front().content)), "page") +
+                 " of " + paper + ", the map among them\n";
+  } catch (const Error&) {
+    pages.failure = current_failure();
+  }
+  return pages;
+}
+
+namespace {
+
+CommandResult failed(CommandResult outcome, const std::string& what, const Failure& failure) {
+  outcome.exit_code = k_exit_failed;
+  if (!outcome.complaint.empty()) outcome.complaint += "\n";
+  outcome.complaint += "the pieces could not be laid on " + what + ": " + failure.message;
+  return outcome;
+}
+
+}  // namespace
+
 CommandResult with_nesting_checked(CommandResult outcome,
                                    const std::optional<NestOutcome>& nesting) {
   if (!nesting || !nesting->layout.failure) return outcome;
-  outcome.exit_code = k_exit_failed;
-  if (!outcome.complaint.empty()) outcome.complaint += "\n";
-  outcome.complaint +=
-      "the pieces could not be laid on sheets: " + nesting->layout.failure->message;
-  return outcome;
+  return failed(std::move(outcome), "sheets", *nesting->layout.failure);
+}
+
+CommandResult with_pages_checked(CommandResult outcome, const ProductPages& pages) {
+  return pages.failure ? failed(std::move(outcome), "pages", *pages.failure) : outcome;
 }
 
 }  // namespace planish::cli

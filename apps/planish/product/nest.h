@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@
 #include "shell/session.h"
 
 namespace planish::cli {
+
+/// All ways in which pieces may be turned, the usual one first.
+inline constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns::free};
 
 /// How patches are laid on sheets, and how that is written.
 struct NestRequest {
@@ -61,8 +65,25 @@ NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const Ne
                              const std::filesystem::path& folder, const std::string& title,
                              Session& session);
 
+/// All patches on pages to be joined.
+struct ProductPages {
+  std::vector<OutputFile> files;        ///< one; none where it failed
+  std::string text = {};                ///< as people read it
+  std::optional<Failure> failure = {};  ///< why there are none
+};
+
+/// Lays patches on pages of paper. What stands in the way is told and not thrown.
+/// @param sheets of --sheet, for the gap and the turns; without them pieces turn freely
+/// @param output with pages
+/// @throws Cancelled
+ProductPages product_pages(std::vector<NestPatch> patches, Unit unit, const NestOptions* sheets,
+                           const PatternOutput& output, const std::filesystem::path& folder,
+                           const std::string& title, Session& session);
+
 /// Ends with exit code 1 where the patches could not be laid on the sheets.
 CommandResult with_nesting_checked(CommandResult outcome,
                                    const std::optional<NestOutcome>& nesting);
+/// The same of pages.
+CommandResult with_pages_checked(CommandResult outcome, const ProductPages& pages);
 
 }  // namespace planish::cli

@@ -186,8 +186,6 @@ ProductInput read_file(Session& session, const std::string& path, const Argument
   return input;
 }
 
-constexpr const char* k_mirrored = ", mirrored";
-
 /// The pieces of the file of a piece under the names of the piece, in the unit of the product.
 AllPieces pieces_of(const RequestedPiece& piece, const std::vector<std::string>& known,
                     Session& session, const Arguments& arguments) {
@@ -217,7 +215,7 @@ ProductPatch with_words(ProductPatch patch, const RequestedPiece& piece) {
 ReadPiece mirrored(ReadPiece piece, std::size_t group) {
   ProductPatch& patch = piece.patch;
   piece.asked_as.push_back(patch.name);
-  patch.name += k_mirrored;
+  patch.name += k_mirrored_piece;
   for (Vec3& p : patch.mesh.positions)
     p.x = -p.x;
   for (Triangle& t : patch.mesh.triangles)
@@ -266,15 +264,21 @@ std::vector<std::string> names_with_commas(const ProductFile& product) {
   for (const RequestedPiece& piece : product.pieces) {
     const std::string name = piece.name.value_or(stem_of(piece.file));
     names.push_back(name);
-    if (piece.mirrored) names.push_back(name + k_mirrored);
+    if (piece.mirrored) names.push_back(name + k_mirrored_piece);
   }
   return names;
+}
+
+NamedSettings settings_of(const RequestedPiece& piece, const std::string& path) {
+  const std::string name = piece.name.value_or(stem_of(piece.file));
+  return {name, piece.settings, path + ", piece " + name};
 }
 
 ProductInput read_described(Session& session, const std::string& path, const Arguments& arguments) {
   const ProductFile product = read_product_file(path);
   const std::vector<std::string> known = names_with_commas(product);
   AllPieces all;
+  std::vector<NamedSettings> asked;
   for (const RequestedPiece& piece : product.pieces) {
     AllPieces own;
     try {
@@ -284,7 +288,11 @@ ProductInput read_described(Session& session, const std::string& path, const Arg
       own.pieces.push_back(unreadable(piece.name.value_or(stem_of(piece.file)), piece.file, 0));
     }
     all.known.insert(all.known.end(), own.known.begin(), own.known.end());
+    const NamedSettings settings = settings_of(piece, path);
+    if (!settings.settings.empty()) asked.push_back(settings);
+    const bool is_out = stays_out(settings, arguments);
     for (ReadPiece& read : own.pieces) {
+      read.is_taken = read.is_taken && !is_out;
       read.patch = with_words(std::move(read.patch), piece);
       all.pieces.push_back(std::move(read));
       if (!piece.mirrored || all.pieces.back().patch.failure) continue;
@@ -294,6 +302,7 @@ ProductInput read_described(Session& session, const std::string& path, const Arg
   ProductInput input = input_of(std::move(all), arguments, session);
   input.path = path;
   input.is_described = true;
+  input.settings = std::move(asked);
   input.seams = seams_of(product.seams, input, path, session);
   return input;
 }

@@ -13,6 +13,9 @@
 
 namespace planish::cli {
 
+/// Behind the name of a piece, for the mirror image that a product file asks for.
+inline const std::string k_mirrored_piece = ", mirrored";
+
 /// Where a patch comes from and goes to.
 struct PatchPlace {
   std::string folder;  ///< safe name of its folder, unlike that of every other
@@ -30,9 +33,10 @@ struct ProductInput {
   bool is_batch = false;
   /// It is described by a file: several patches by its own account, even where it lists one.
   bool is_described = false;
-  std::vector<NamedSeam> seams = {};       ///< of a product that is described
-  std::optional<Plane> symmetric_in = {};  ///< that of --symmetric
-  std::vector<std::string> left_out = {};  ///< names of the pieces that flags leave out
+  std::vector<NamedSeam> seams = {};         ///< of a product that is described
+  std::vector<NamedSettings> settings = {};  ///< of its pieces, which are there
+  std::optional<Plane> symmetric_in = {};    ///< that of --symmetric
+  std::vector<std::string> left_out = {};    ///< names of the pieces that flags leave out
 };
 
 /// Reads mesh files, all mesh files of folders in the order of their names, or those that a product

@@ -10,6 +10,7 @@
 #include "flags/units.h"
 #include "model/json_file.h"
 #include "model/material_file.h"
+#include "piece/piece_keys.h"
 #include "platform/path.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
@@ -55,16 +56,62 @@ std::optional<Unit> unit_of(const JsonEntry& entry) {
   return unit;
 }
 
-RequestedPiece piece_of(const Json& json, const std::string& where, const fs::path& folder) {
+/// Keys that have places of their own in RequestedPiece.
+const std::vector<std::string>& own_keys() {
   static const std::vector<std::string> keys = {"file",     "name",     "material",
                                                 "quantity", "mirrored", "unit"};
-  const JsonEntry entry(json, where, keys);
+  return keys;
+}
+
+bool is_own_key(const std::string& key) {
+  return std::find(own_keys().begin(), own_keys().end(), key) != own_keys().end();
+}
+
+/// Those of every piece, and those of edges that this one has.
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys = own_keys();
+  for (const std::string& key : piece_keys()) {
+    if (!is_own_key(key)) keys.push_back(key);
+  }
+  if (!json.is_object()) return keys;
+  for (const auto& [key, value] : json.items()) {
+    if (is_edge_key(key)) keys.push_back(key);
+  }
+  return keys;
+}
+
+/// A text, a number, or yes and no, as it would be typed.
+std::string typed(const JsonEntry& entry, const std::string& key, const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_integer()) return std::to_string(value.get<long long>());
+  if (value.is_number()) return plain(value.get<double>());
+  return *entry.text(key);
+}
+
+std::vector<PieceSetting> settings_of(const Json& json, const JsonEntry& entry,
+                                      const fs::path& folder) {
+  std::vector<PieceSetting> settings;
+  for (const auto& [key, value] : json.items()) {
+    const bool is_count = key == "mirrored" && value.is_number_unsigned();
+    if (is_own_key(key) && !is_count) continue;
+    std::string text = typed(entry, key, value);
+    if (is_file_key(key) && text != "none") text = utf8_of(folder / path_of(text));
+    settings.push_back({key, std::move(text)});
+  }
+  return settings;
+}
+
+RequestedPiece piece_of(const Json& json, const std::string& where, const fs::path& folder) {
+  const JsonEntry entry(json, where, keys_of(json));
+  const Json* mirrored = entry.find("mirrored");
+  const bool is_count = mirrored != nullptr && mirrored->is_number_unsigned();
   RequestedPiece piece{.file = utf8_of(folder / path_of(entry.required_text("file"))),
                        .name = entry.text("name"),
                        .material = material_of(entry, folder),
                        .unit = unit_of(entry),
                        .quantity = quantity_of(entry),
-                       .mirrored = entry.yes("mirrored")};
+                       .mirrored = !is_count && entry.yes("mirrored"),
+                       .settings = settings_of(json, entry, folder)};
   if (piece.mirrored && piece.quantity.value_or(2) % 2 != 0)
     refuse(entry.where("quantity"), "must be even where half of the pieces are mirrored");
   return piece;

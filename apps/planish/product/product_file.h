@@ -8,16 +8,19 @@
 #include <planish/core/unit.h>
 #include <planish/measure/material.h>
 
+#include "piece/piece_settings.h"
+
 namespace planish::cli {
 
 /// A piece as a product file has it. What it does not say, the flags of the command line say.
 struct RequestedPiece {
-  std::string file;                  ///< path of its mesh file
-  std::optional<std::string> name;   ///< for label, folder and reports
-  std::optional<Material> material;  ///< what it is cut from: its limits of strain
-  std::optional<Unit> unit;          ///< of the numbers in the file
-  std::optional<int> quantity;       ///< how many to cut, the mirrored ones among them
-  bool mirrored = false;             ///< half of them are mirror images
+  std::string file;                         ///< path of its mesh file
+  std::optional<std::string> name;          ///< for label, folder and reports
+  std::optional<Material> material;         ///< what it is cut from: its limits of strain
+  std::optional<Unit> unit;                 ///< of the numbers in the file
+  std::optional<int> quantity;              ///< how many to cut, the mirrored ones among them
+  bool mirrored = false;                    ///< half of them are mirror images
+  std::vector<PieceSetting> settings = {};  ///< all others, as those of --piece
 };
 
 /// The name of a seam between two pieces.

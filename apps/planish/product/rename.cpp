@@ -39,10 +39,15 @@ Flag rename_flag() {
 }
 
 void rename_pieces(ProductInput& input, const Arguments& arguments) {
-  if (!arguments.has(k_flag)) return;
+  if (arguments.has(k_flag)) give_names(input, asked_names(arguments), k_flag);
+}
+
+void give_names(ProductInput& input, std::map<std::string, std::string> asked,
+                const std::string& flag) {
+  if (asked.empty()) return;
   if (input.is_described)
-    throw UsageError("flag --rename does not go with a product file: give the names there");
-  std::map<std::string, std::string> asked = asked_names(arguments);
+    throw UsageError("flag " + flag +
+                     " gives no names to pieces of a product file: give them there");
   std::vector<std::string> old_names, new_names;
   for (ProductPatch& patch : input.patches) {
     old_names.push_back(patch.name);
@@ -53,13 +58,13 @@ void rename_pieces(ProductInput& input, const Arguments& arguments) {
     new_names.push_back(patch.name);
   }
   if (!asked.empty()) {
-    throw UsageError("--rename: no piece is called \"" + asked.begin()->first + "\"; there are " +
+    throw UsageError(flag + ": no piece is called \"" + asked.begin()->first + "\"; there are " +
                      list_of_some(old_names));
   }
   std::set<std::string> once;
   for (const std::string& name : new_names) {
     if (!once.insert(name).second)
-      throw UsageError("--rename: two pieces would be called \"" + name + "\"");
+      throw UsageError(flag + ": two pieces would be called \"" + name + "\"");
   }
   const std::vector<std::string> folders = safe_names(new_names);
   for (std::size_t p = 0; p < folders.size(); ++p)

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "product/parts.h"
 
 namespace planish::cli {
@@ -11,5 +14,11 @@ Flag rename_flag();
 /// @throws UsageError for a name that no patch has, one that would be there twice, and a product
 ///   file, which has names of its own
 void rename_pieces(ProductInput& input, const Arguments& arguments);
+
+/// The same for names that are at hand, old ones to new ones.
+/// @param flag that has them, for errors
+/// @throws UsageError as rename_pieces()
+void give_names(ProductInput& input, std::map<std::string, std::string> asked,
+                const std::string& flag);
 
 }  // namespace planish::cli

@@ -64,9 +64,9 @@ void check_sheets(const Patch& patch, const std::string& name, const PatternPlan
 
 void check_pattern_size(const Patch& patch, const std::string& name, const PatternPlan& plan,
                         const Session& session) {
-  if (plan.output.paper) {
+  if (plan.output.pages) {
     const double sure = k_sure_length * millimetres_per(plan.unit);
-    check_page_area(sure * sure * area_of(patch), *plan.output.paper);
+    check_page_area(sure * sure * area_of(patch), *plan.output.pages);
   }
   if (plan.sheets == nullptr) return;
   check_copies_of(1, plan);

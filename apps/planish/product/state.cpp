@@ -31,10 +31,10 @@ constexpr const char* k_job_file = "job.json";
 
 /// Flags that do not change the results of a patch. Those of seams act through its notches and what
 /// is sewn, which are compared on their own.
-constexpr std::array<std::string_view, 14> k_idle_flags = {
+constexpr std::array<std::string_view, 15> k_idle_flags = {
     "--output",         "--threads",      "--quiet",    "--json",        "--resume",
     "--require-target", "--sheet",        "--nest-gap", "--nest-margin", "--turn",
-    "--seam-tolerance", "--seam-notches", "--product",  "--open"};
+    "--seam-tolerance", "--seam-notches", "--product",  "--open",        "--piece"};
 
 template <class Value>
 void add_value(FnvHash& hash, const Value& value) {
@@ -74,7 +74,7 @@ std::string hash_of(const SewnBorder& border) {
 Json to_json(const std::vector<Notch>& notches) {
   Json list = Json::array();
   for (const Notch& notch : notches) {
-    const auto [from, to] = *notch.edge;  // as all on seams are
+    const auto [from, to] = notch.edge.value_or(std::array<Index, 2>{});
     list.push_back({from, to, notch.fraction, std::string(to_string(notch.kind)), notch.is_double});
   }
   return list;
@@ -162,7 +162,8 @@ std::optional<MeshFormat> format_among(const Json& files) {
 }  // namespace
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
-                const SewnBorder& border, const Arguments& arguments, const ProductPatch* twin_of) {
+                const SewnBorder& border, const Arguments& arguments, const ProductPatch* twin_of,
+                const std::map<std::string, std::string>& settings) {
   PatchJob job{patch.name,          format,
                hash_of(patch.mesh), hash_of(border),
                annotations.notches, annotations.seam_numbers};
@@ -174,6 +175,8 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
   if (!arguments.has("--unit") && arguments.stated_unit)
     job.flags["--unit"] = to_string(*arguments.stated_unit);
   // What a product file says. No flag is called so.
+  for (const auto& [key, value] : settings)
+    if (key != "turn") job.flags["piece " + key] = value;
   if (!patch.words.material.empty()) job.flags["material"] = patch.words.material;
   if (patch.limits) job.flags["limits"] = text_of(*patch.limits);
   // What a file of a material says now, wherever it lies.

@@ -31,9 +31,11 @@ struct PatchJob {
   std::optional<Other> twin_of = {};  ///< the patch that it is a twin of
 };
 
+/// @param settings of this piece alone
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
                 const SewnBorder& border, const Arguments& arguments,
-                const ProductPatch* twin_of = nullptr);
+                const ProductPatch* twin_of = nullptr,
+                const std::map<std::string, std::string>& settings = {});
 
 /// The job.json that says that these files are the results of the job, with the figures that the
 /// product as a whole needs.

@@ -1,20 +1,30 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include <planish/core/unit.h>
 #include <planish/draw/drawing.h>
 
 namespace planish {
+
+/// How a drawing is written as SVG.
+struct SvgOptions {
+  /// A group for each piece, with its layers inside, for programs that move pieces. What belongs to
+  /// no one piece keeps layers of its own before them.
+  bool by_piece = false;
+};
 
 /// The drawing as a stand-alone SVG at true size: width and height in mm, one user unit = 1 mm,
 /// each layer a group that Inkscape shows as a layer, holes before the outline around them;
 /// coordinates to 0.001 mm. The same drawing
 /// gives the same bytes. Text is escaped; bytes that are no UTF-8 become U+FFFD. Sizes and places
 /// are to be finite; points and texts that are nowhere are left out.
-std::string format_svg(const Drawing& drawing);
+std::string format_svg(const Drawing& drawing, const SvgOptions& options = {});
 
 /// The drawing as a PDF of one page at true size, with the sheet's size for a page and a word to
 /// viewers not to scale it when printing. Each layer is one that viewers can show and hide;
@@ -27,32 +37,61 @@ std::string format_svg(const Drawing& drawing);
 /// take more than 10,000 of these is one page with a larger unit (PDF 1.6).
 std::string format_pdf(const Drawing& drawing);
 
-/// Sizes of paper: ISO 216, and US letter, 8.5 by 11 inches.
-enum class Paper { a4, a3, letter, a0 };
+/// A size of paper, upright; pages may lie across as well.
+struct Paper {
+  std::string name;     ///< as "a4", also in names of files
+  double width = 0.0;   ///< millimetres
+  double height = 0.0;  ///< millimetres
 
-/// All sizes of paper.
-inline constexpr std::array k_papers = {Paper::a4, Paper::a3, Paper::letter, Paper::a0};
+  bool operator==(const Paper&) const = default;
+};
 
-/// "a4", ...
-std::string_view to_string(Paper paper);
+/// The sizes that have names: a0 to a4 and b0 to b4 of ISO 216, letter, legal and tabloid.
+const std::vector<Paper>& papers();
 
 /// @throws Error unknown_name
 Paper paper_named(std::string_view name);
 
+/// How a drawing is divided into pages to be joined.
+struct PageOptions {
+  Paper paper = {};
+  double overlap = 10.0;  ///< of neighbours, millimetres
+  /// A drawing that fits on one page with its label is that page alone, without a map.
+  bool one_page = false;
+
+  bool operator==(const PageOptions&) const = default;
+};
+
 /// The drawing at true size on pages of a printer's paper, to be joined. The first page shows where
 /// each goes, the drawing's notes, and test squares; so the layer "label" is left out, unless the
 /// layer "legend" is there. Pages are upright or across, whatever needs fewer; 10 mm at
-/// each edge stay free, neighbours overlap by 10 mm, and crosses in the overlap show how to align
+/// each edge stay free, neighbours overlap, and crosses in the overlap show how to align
 /// them. Rows have letters from the top, columns numbers. Pages with nothing on them are crossed
-/// out on the first page and left out. Otherwise as format_pdf().
-/// @throws Error too_large where it would take more than 10,000 pages
-std::string format_tiled_pdf(const Drawing& drawing, Paper paper);
+/// out on the first page and left out. Of several pieces the map has their names. Otherwise as
+/// format_pdf().
+/// @throws Error too_large where it would take more than 10,000 pages, option_out_of_range for
+///   paper that is smaller than its margins and the overlap
+std::string format_tiled_pdf(const Drawing& drawing, const PageOptions& options);
+
+/// How many pages format_tiled_pdf() takes.
+/// @throws Error as format_tiled_pdf()
+std::size_t count_pages(const Drawing& drawing, const PageOptions& options);
+
+/// The room of pages in a row that are joined, across the row and along it: what one shows, and
+/// what each further one adds. Millimetres.
+struct PageRoom {
+  Vec2 frame, step;
+};
+
+/// Of upright pages, or of those that lie across.
+/// @throws Error option_out_of_range as format_tiled_pdf()
+PageRoom page_room(const PageOptions& options, bool across);
 
 /// For callers who make a drawing with long work: its area alone may say that it takes too many
 /// pages.
 /// @param area of what is drawn, square millimetres
 /// @throws Error too_large where format_tiled_pdf() would, whatever the shape
-void check_page_area(double area, Paper paper);
+void check_page_area(double area, const PageOptions& options);
 
 /// The drawing as HPGL for plotters and cutters, 40 units per millimetre, so coordinates to
 /// 0.025 mm, from (0, 0) at the lower left corner of all lines. Pieces come one after the other,
@@ -109,17 +148,19 @@ struct DxfOptions {
   /// Profiles for apparel: notches, match marks and drill holes as lines, for cutters that ignore
   /// points.
   bool notch_strokes = false;
+  Unit unit = Unit::mm;  ///< of coordinates and of $INSUNITS
 };
 
-/// The drawing as DXF in millimetres, coordinates to 0.001 mm. Pieces come one after the other,
-/// each in the order of the layers, holes before the outline around them. Lines become POLYLINEs,
-/// closed where they are closed, with few points where these were fitted; in R2000 outlines become
-/// LWPOLYLINEs, whose arcs are arcs, and SPLINEs. Areas that are filled and have no outline (the
-/// strain map) are left out, and so are layers without anything else; widths of lines are not kept.
-/// Colours become the nearest of fifteen of AutoCAD's, hidden layers stay hidden. Text becomes TEXT
-/// as high as asked; each UTF-16 unit beyond ASCII becomes \U+ and four hexadecimal digits, as in
-/// AutoCAD. Names of layers and blocks are cut to 31 of A-Z a-z 0-9 $ - _, as R12 wants them; every
-/// other character becomes _. The same drawing gives the same bytes.
+/// The drawing as DXF, in millimetres unless options have another unit, coordinates to 0.001 mm.
+/// Pieces come one after the other, each in the order of the layers, holes before the outline
+/// around them. Lines become POLYLINEs, closed where they are closed, with few points where these
+/// were fitted; in R2000 outlines become LWPOLYLINEs, whose arcs are arcs, and SPLINEs. Areas that
+/// are filled and have no outline (the strain map) are left out, and so are layers without anything
+/// else; widths of lines are not kept. Colours become the nearest of fifteen of AutoCAD's, hidden
+/// layers stay hidden. Text becomes TEXT as high as asked; each UTF-16 unit beyond ASCII becomes
+/// \U+ and four hexadecimal digits, as in AutoCAD. Names of layers and blocks are cut to 31 of A-Z
+/// a-z 0-9 $ - _, as R12 wants them; every other character becomes _. The same drawing gives the
+/// same bytes.
 ///
 /// The other profiles write every piece as a block, in ASCII. They have numbers for these layers,
 /// by their names in the drawing: cut, notch, grain, fold, internal, drill and seam; others are

@@ -32,6 +32,8 @@ struct ProductPatch {
   PieceMetadata words = {};  ///< become those of the result
   /// Instead of those of ProductOptions.
   std::optional<StrainLimits> limits = {};
+  /// Instead of that of ProductOptions: as UnfoldOptions has it.
+  std::optional<std::array<Index, 2>> fold = {};
   bool turned = false;  ///< becomes that of the result's UnfoldReport
 };
 

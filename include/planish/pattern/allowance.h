@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +32,9 @@ struct Allowance {
   /// Where not empty, whether each edge is on a fold (1 or 0): allowances end at its line, also
   /// where the border hardly turns there.
   std::vector<std::vector<unsigned char>> folds = {};
+  /// Where not empty, the number of the hem that each edge is in, 0 for none. What a hem adds is
+  /// the mirror image of the piece, with its other allowances, in the hem's line.
+  std::vector<std::vector<int>> hems = {};
 };
 
 /// The outline of a piece with its allowance: the border of all that is no farther from the piece
@@ -41,7 +46,8 @@ struct Allowance {
 /// A corner that does not look like one from as far off as the allowance is wide, such as a jag of
 /// a border of small triangles, is rounded whatever is asked for.
 /// @throws Error option_out_of_range (widths that are not above 0, or above the longer side of the
-///   piece's box; a limit below 1), overlapping_outline, allowance_too_wide (fills a hole)
+///   piece's box; a limit below 1; a hem wider than the piece behind it), overlapping_outline,
+///   allowance_too_wide (fills a hole), misplaced_allowance (a hem that is not straight)
 std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& allowance);
 
 /// The allowance of a stretch of the border: from a vertex on, the piece on the left, to another
@@ -50,6 +56,7 @@ struct EdgeAllowance {
   Index from = 0, to = 0;  ///< vertex at which the stretch begins or ends
   double width = 0.0;      ///< millimetres; 0 for none, as along a fold
   bool is_fold = false;    ///< whether it is one
+  bool is_hem = false;     ///< folded over at the edge's line, as Allowance::hems has it
 };
 
 /// Checks that the ends are on one loop of the border, which needs no pattern.
@@ -74,6 +81,29 @@ void check_fold(std::span<const std::vector<Index>> border, const FoldLine& fold
 /// @throws Error as check_fold(); misplaced_allowance where a point of either stretch is farther
 ///   from the line than 0.5 mm and a thousandth of its length
 EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold);
+
+/// What is asked for an edge of the outline, from corner to corner.
+struct PatternEdge {
+  int number = 0;                        ///< as edges_between_corners() has them, from 1
+  std::string name = {};                 ///< as "hem"; empty: none but its number
+  std::optional<double> allowance = {};  ///< millimetres; none: that of the piece
+  bool is_hem = false;                   ///< its allowance is folded over at its line
+  bool clockwise = false;  ///< the outline is the mirror image of the one that has the number
+
+  /// For people: its name, else as "edge 2".
+  std::string words() const { return name.empty() ? "edge " + std::to_string(number) : name; }
+};
+
+/// The allowances that edges ask for, by vertices.
+/// @param outline with vertices
+/// @throws Error misplaced_allowance for a number that no edge has
+std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
+                                               std::span<const PatternEdge> edges);
+
+/// What each edge of the outline is called: its name, or as "edge 2".
+/// @param outline with vertices
+std::vector<std::string> words_of_edges(const PieceOutline& outline,
+                                        std::span<const PatternEdge> edges);
 
 /// The allowance with other widths along stretches; where they overlap, the last one counts.
 /// @param outline with vertices

@@ -27,6 +27,7 @@ struct NestPiece {
   int quantity = 1;      ///< how many; 0 leaves the piece out
   /// Degrees, counter-clockwise, that bring the grain along the length of the sheet.
   double angle = 0.0;
+  std::optional<Turns> turns = {};  ///< none: those of NestOptions
 };
 
 /// The sheets, in millimetres: a sheet's length is along x, its width along y.
@@ -35,7 +36,7 @@ struct NestOptions {
   std::optional<double> length = {};  ///< of each sheet; without, one roll of any length
   double gap = 5.0;                   ///< that is left between any two pieces
   double margin = 0.0;                ///< that is left free along every edge of a sheet
-  Turns turns = Turns::half;          ///< of every piece
+  Turns turns = Turns::half;          ///< of every piece that has none of its own
   /// Places along the length are multiples of it: finer is tighter and slower. 0: chosen by the
   /// sizes of the pieces.
   double step = 0.0;

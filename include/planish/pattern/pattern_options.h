@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include <planish/core/unit.h>
 #include <planish/pattern/allowance.h>
 #include <planish/pattern/curve.h>
 #include <planish/pattern/marks.h>
@@ -46,6 +47,9 @@ struct MirrorReference {
 struct PatternOptions {
   std::optional<Allowance> allowance = {};          ///< none: the outline is what is cut
   std::vector<EdgeAllowance> edge_allowances = {};  ///< where it is another; idle without allowance
+  std::vector<PatternEdge> edges = {};              ///< names, and allowances by number
+  double kerf = 0.0;                                ///< that the machine cuts away, millimetres
+  Unit sheet_unit = Unit::mm;                       ///< of lengths that are written on the sheet
   std::optional<FoldLine> fold = {};                ///< none: the piece is drawn whole
   std::vector<Notch> notches = {};                  ///< on the border
   NotchSizes notch_sizes = {};                      ///< of all notches
@@ -74,6 +78,10 @@ struct PatternOptions {
 /// mirrored, one by a direction on the model stays that. Labels and all that stands at vertices
 /// stay.
 PatternOptions for_mirror_image(PatternOptions options);
+
+/// The options of a piece for the mesh that is its mirror image, with the same vertices: what is
+/// told along the border, which runs the other way. A grain stays as it is told.
+PatternOptions on_mirrored_border(PatternOptions options);
 
 /// Those that a pattern can have: one that overlaps itself has no one outer side that an allowance
 /// could be laid on.

@@ -40,8 +40,9 @@ struct OutlineEdge {
   double length = 0.0;                   ///< millimetres
 };
 
-/// The outline from corner to corner, loop by loop; one stretch all around where there is none.
-/// docs/pattern.md says what counts as a corner.
+/// The outline from corner to corner, loop by loop; one stretch all around where there is none. Of
+/// each loop the first one begins at the first corner from the vertex of the smallest number on,
+/// without vertices from the first point on. docs/pattern.md says what counts as a corner.
 std::vector<OutlineEdge> edges_between_corners(const PieceOutline& outline);
 
 /// > 0 where the loop runs counter-clockwise. Square millimetres.

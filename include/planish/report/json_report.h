@@ -105,8 +105,10 @@ std::string history_csv(const std::vector<SweepRecord>& history);
 std::string history_csv(const CompareReport& report);
 
 /// The border from corner to corner, as comma-separated values: loop, from_vertex, to_vertex,
-/// length, length_on_model. Vertices from 0, lengths in millimetres.
+/// length, length_on_model; with named edges also their names. Vertices from 0, lengths in
+/// millimetres; in inches where the sheet has them, as length_in and length_on_model_in.
 /// @param pattern a place for every vertex, model units
-std::string edge_lengths_csv(const Patch& patch, std::span<const Vec2> pattern, Unit unit);
+std::string edge_lengths_csv(const Patch& patch, std::span<const Vec2> pattern, Unit unit,
+                             const PatternOptions& options = {});
 
 }  // namespace planish

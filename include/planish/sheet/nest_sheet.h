@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/core/unit.h>
 #include <planish/draw/drawing.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/flatten/product.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/nest.h>
@@ -22,6 +24,7 @@ struct NestPatch {
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
   PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once;
                                     ///< none of these is mirrored
+  std::optional<Turns> turns = {};  ///< as NestPiece has them
 };
 
 /// The patches, those with a fold opened out to the whole: the half and its mirror image in the
@@ -71,6 +74,13 @@ std::vector<NestPiece> nest_pieces(const NestJob& job);
 /// @throws Error as pattern_sheet()
 Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
                    const std::string& title);
+
+/// All pieces laid for pages to be joined, as many in a row as take the fewest pages that were
+/// found. The layer "label" is for a drawing that fits on one page: see PageOptions::one_page.
+/// @param job of whose sheets the gap and the turns count
+/// @throws Error as nest(), format_tiled_pdf() and pattern_sheet(); Cancelled
+Drawing page_sheet(NestJob job, const PageOptions& pages, const std::string& title,
+                   const Context& context = {});
 
 /// A layout on which nothing is cut twice: where cut lines lie on each other to 0.001 mm, as
 /// without a gap, that of the piece drawn first stays, and the border of the sheet is left out

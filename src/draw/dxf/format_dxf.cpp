@@ -11,6 +11,7 @@
 #include "draw/dxf/dxf_profile.h"
 #include "draw/dxf/dxf_r2000.h"
 #include "draw/dxf/dxf_tags.h"
+#include "draw/dxf/dxf_unit.h"
 #include "draw/text/stroke_text.h"
 
 namespace planish {
@@ -111,12 +112,20 @@ std::string format_r12(const Drawing& drawing, const DxfOptions& options) {
 
 }  // namespace
 
-std::string format_dxf(const Drawing& drawing, const DxfOptions& options) {
-  check_layer_names(drawing, options);
+namespace {
+
+std::string format_in_millimetres(const Drawing& drawing, const DxfOptions& options) {
   if (dialect_of(options.profile).family != DxfFamily::none)
     return format_apparel_dxf(drawing, options);
   return options.version == DxfVersion::r12 ? format_r12(drawing, options)
                                             : format_dxf_r2000(drawing, options);
+}
+
+}  // namespace
+
+std::string format_dxf(const Drawing& drawing, const DxfOptions& options) {
+  check_layer_names(drawing, options);
+  return dxf_in_unit(format_in_millimetres(drawing, options), options.unit);
 }
 
 }  // namespace planish

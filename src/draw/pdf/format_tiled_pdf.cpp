@@ -13,6 +13,7 @@
 #include "draw/pdf/pdf_content.h"
 #include "draw/pdf/pdf_document.h"
 #include "draw/pdf/tiles.h"
+#include "pattern/polygon/loop_box.h"
 
 namespace planish {
 
@@ -28,6 +29,7 @@ constexpr double k_inch = 25.4;
 
 constexpr Color k_black = {0, 0, 0};
 constexpr Color k_grey = {140, 140, 140};
+constexpr Color k_blue = {0, 0, 200};
 
 constexpr std::string_view k_sheet = "Sheet";
 
@@ -43,9 +45,10 @@ Path cross_at(Vec2 at) {
           Stroke{k_black, 0.1}};
 }
 
-std::string paper_text(Paper paper) {
-  std::string name(to_string(paper));
-  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+std::string paper_text(const Paper& paper) {
+  const bool is_named = std::find(papers().begin(), papers().end(), paper) != papers().end();
+  std::string name = paper.name;
+  if (is_named) name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name;
 }
 
@@ -88,7 +91,9 @@ class TiledPdf {
   std::vector<std::string> advice() const;
   void add_advice(PdfContent& page) const;
   void add_map(PdfContent& page) const;
+  void add_piece_names(PdfContent& page, Vec2 upper_left, double scale) const;
   void add_tile(std::size_t row, std::size_t column);
+  void add_neighbours(PdfContent& page, std::size_t row, std::size_t column) const;
   void add_crosses(PdfContent& page, std::size_t row, std::size_t column) const;
 
   const Drawing& drawing_;
@@ -136,7 +141,9 @@ std::vector<std::string> TiledPdf::advice() const {
            " besides this one. Crossed out: empty and left out.",
        "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
        "cutting.",
-       "Pages overlap by 10 mm: lay them so that their crosses meet.",
+       "Pages overlap by " + number_text(grid_.overlap) +
+           " mm: cut along the frame where it says cut, glue where it says glue, so that crosses "
+           "meet.",
        "The map below is not at true size, the squares at the bottom are."});
   return lines;
 }
@@ -162,7 +169,10 @@ void TiledPdf::add_map(PdfContent& page) const {
   const Vec2 upper_left = grid_.low + Vec2{0.0, grid_.area.y};
   const auto on_map = [&](Vec2 p) { return top_left + scale * (p - upper_left); };
   page.add_form(k_sheet, on_map({0.0, 0.0}), scale);
-  const double name_height = std::min(8.0, 0.2 * scale * std::min(grid_.frame.x, grid_.frame.y));
+  add_piece_names(page, top_left - scale * upper_left, scale);
+  const double largest = drawing_.pieces.size() > 1 ? 3.0 : 8.0;
+  const double name_height =
+      std::min(largest, 0.2 * scale * std::min(grid_.frame.x, grid_.frame.y));
   for (std::size_t row = 0; row < grid_.rows; ++row) {
     for (std::size_t column = 0; column < grid_.columns; ++column) {
       const Vec2 low = on_map(grid_.low_of(row, column)), frame = scale * grid_.frame;
@@ -173,12 +183,35 @@ void TiledPdf::add_map(PdfContent& page) const {
                       Stroke{k_grey, 0.2}});
       }
       const Vec2 middle = low + 0.5 * frame;
-      page.add(Text{{middle.x, middle.y - 0.5 * name_height},
-                    name_height,
-                    tile_name(row, column),
-                    k_black,
-                    true});
+      // Beside names of pieces it stands in the corner.
+      const bool is_corner = drawing_.pieces.size() > 1;
+      const Vec2 at = is_corner ? Vec2{low.x + 1.0, low.y + frame.y - 1.0 - name_height}
+                                : Vec2{middle.x, middle.y - 0.5 * name_height};
+      page.add(Text{at, name_height, tile_name(row, column), k_black, !is_corner});
     }
+  }
+}
+
+/// Of several pieces, each in the middle of what is cut of it.
+void TiledPdf::add_piece_names(PdfContent& page, Vec2 shift, double scale) const {
+  constexpr double height = 2.2;
+  if (drawing_.pieces.size() < 2) return;
+  std::vector<std::vector<Polygon>> lines(drawing_.pieces.size());
+  for (const Layer& layer : drawing_.layers) {
+    if (layer.name != "cut") continue;
+    for (const DrawingShape& shape : layer.shapes) {
+      const auto* path = std::get_if<Path>(&shape);
+      if (path == nullptr || path->piece >= lines.size()) continue;
+      std::vector<Polygon>& own = lines[path->piece];
+      own.insert(own.end(), path->lines.begin(), path->lines.end());
+    }
+  }
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    if (lines[p].empty()) continue;
+    const LoopBox box = loop_box(lines[p]);
+    const Vec2 middle = shift + 0.5 * scale * (box.low + box.high);
+    page.add(
+        Text{{middle.x, middle.y - 0.5 * height}, height, drawing_.pieces[p].name, k_blue, true});
   }
 }
 
@@ -188,9 +221,10 @@ void TiledPdf::add_tile(std::size_t row, std::size_t column) {
   page.add_form_within(k_sheet, corner - grid_.low_of(row, column), corner, grid_.frame);
   page.add(rectangle(corner, grid_.frame, k_grey, 0.1));
   add_crosses(page, row, column);
+  add_neighbours(page, row, column);
   const std::string name = tile_name(row, column);
-  const Vec2 inside = {corner.x + k_tile_overlap + 2.0,
-                       corner.y + grid_.frame.y - k_tile_overlap - 8.0};
+  const Vec2 inside = {corner.x + grid_.overlap + 2.0,
+                       corner.y + grid_.frame.y - grid_.overlap - 8.0};
   page.add(Text{inside, 6.0, name, k_grey});
   page.add(Text{{corner.x, corner.y - k_note_height - 1.5},
                 k_note_height,
@@ -203,7 +237,7 @@ void TiledPdf::add_tile(std::size_t row, std::size_t column) {
 // Crosses stand in the middle of the overlap, at the corners and halfway between. So each is on the
 // same spot of the sheet on every page that shows it. There are none where no neighbour is.
 void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column) const {
-  const double inset = k_tile_margin + 0.5 * k_tile_overlap;
+  const double inset = k_tile_margin + 0.5 * grid_.overlap;
   const Vec2 low = {inset, inset}, high = grid_.page - low, middle = 0.5 * grid_.page;
   const bool left = column > 0, right = column + 1 < grid_.columns;
   const bool above = row > 0, below = row + 1 < grid_.rows;
@@ -220,6 +254,22 @@ void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column
   add(above, {middle.x, high.y});
 }
 
+// Beside the crosses in the middles of the sides: the page that is joined there.
+void TiledPdf::add_neighbours(PdfContent& page, std::size_t row, std::size_t column) const {
+  constexpr double height = 2.5, beside = 6.0;
+  const double inset = k_tile_margin + 0.5 * grid_.overlap;
+  const Vec2 high = grid_.page - Vec2{inset, inset}, middle = 0.5 * grid_.page;
+  const auto add = [&](bool wanted, Vec2 at, const std::string& text) {
+    if (wanted) page.add(Text{at, height, text, k_grey, true});
+  };
+  add(column > 0, {inset + 4.0, middle.y + beside}, "cut, " + tile_name(row, column - 1));
+  add(column + 1 < grid_.columns, {high.x - 4.0, middle.y + beside},
+      "glue " + tile_name(row, column + 1));
+  add(row > 0, {middle.x + 3.0 * beside, high.y - 1.0}, "cut, " + tile_name(row - 1, column));
+  add(row + 1 < grid_.rows, {middle.x + 3.0 * beside, inset - 1.0},
+      "glue " + tile_name(row + 1, column));
+}
+
 /// What the first page says need not be on the others, but beside the legend.
 Drawing without_label(Drawing drawing) {
   const auto has_shapes = [](const Layer& layer) {
@@ -234,10 +284,40 @@ Drawing without_label(Drawing drawing) {
 
 }  // namespace
 
-std::string format_tiled_pdf(const Drawing& drawing, Paper paper) {
+namespace {
+
+/// The drawing with its label, where all of that fits on one page and is to be one.
+std::optional<TileGrid> single_page(const Drawing& drawing, const PageOptions& options) {
+  if (!options.one_page) return std::nullopt;
+  const TileGrid grid = tile_grid(drawing, options);
+  return grid.rows * grid.columns == 1 ? std::optional(grid) : std::nullopt;
+}
+
+std::string one_page_pdf(const Drawing& drawing, const TileGrid& grid) {
+  PdfContent sheet, page;
+  sheet.add_layers(drawing.layers);
+  const Vec2 corner = {k_tile_margin, k_tile_margin};
+  page.add_form_within(k_sheet, corner - grid.low_of(0, 0), corner, grid.frame);
+  PdfDocument document(drawing);
+  document.add_sheet(sheet.text(), {drawing.width, drawing.height});
+  document.add_page(grid.page, page.text());
+  return document.bytes();
+}
+
+}  // namespace
+
+std::string format_tiled_pdf(const Drawing& drawing, const PageOptions& options) {
+  if (const auto grid = single_page(drawing, options)) return one_page_pdf(drawing, *grid);
   const Drawing pieces = without_label(drawing);
-  const TileGrid grid = tile_grid(pieces, paper);
-  return TiledPdf(pieces, grid, grid.page, paper_text(paper)).write();
+  const TileGrid grid = tile_grid(pieces, options);
+  return TiledPdf(pieces, grid, grid.page, paper_text(options.paper)).write();
+}
+
+std::size_t count_pages(const Drawing& drawing, const PageOptions& options) {
+  if (single_page(drawing, options)) return 1;
+  const Drawing pieces = without_label(drawing);
+  const std::vector<bool> used = used_tiles(pieces, tile_grid(pieces, options));
+  return 1 + static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
 std::optional<std::string> format_divided_pdf(const Drawing& drawing) {

@@ -7,7 +7,9 @@
 #include <span>
 
 #include <planish/core/error.h>
+#include <planish/core/range.h>
 
+#include "core/number_text.h"
 #include "draw/text/stroke_text.h"
 
 namespace planish {
@@ -16,22 +18,9 @@ namespace {
 
 constexpr double k_most_tiles = 10000.0;
 
-struct PaperEntry {
-  Paper paper;
-  std::string_view name;
-  Vec2 size;
-};
-
-constexpr std::array<PaperEntry, k_papers.size()> k_entries = {{
-    {Paper::a4, "a4", {210.0, 297.0}},
-    {Paper::a3, "a3", {297.0, 420.0}},
-    {Paper::letter, "letter", {215.9, 279.4}},
-    {Paper::a0, "a0", {841.0, 1189.0}},
-}};
-
-double count_along(double length, double frame) {
+double count_along(double length, double frame, double overlap) {
   // A thousandth of a millimetre too much is rounding, no page.
-  const double more = (length - frame - 1e-3) / (frame - k_tile_overlap);
+  const double more = (length - frame - 1e-3) / (frame - overlap);
   return 1.0 + std::max(0.0, std::ceil(more));
 }
 
@@ -47,17 +36,42 @@ void check_count(double tiles) {
 }
 
 /// The least page that divides a length into as few as pages of the longest do.
-double page_along(double length, double longest) {
+double page_along(double length, double longest, double overlap) {
   const double margins = 2.0 * k_tile_margin;
-  const double count = count_along(length, longest - margins);
-  return std::ceil((length - k_tile_overlap) / count + k_tile_overlap - 1e-3) + margins;
+  const double count = count_along(length, longest - margins, overlap);
+  return std::ceil((length - overlap) / count + overlap - 1e-3) + margins;
 }
 
-TileGrid grid_on(Vec2 sheet, Vec2 page) {
+double count_on(Vec2 sheet, Vec2 page, double overlap) {
   const Vec2 frame = frame_of(page);
-  const double columns = count_along(sheet.x, frame.x), rows = count_along(sheet.y, frame.y);
-  check_count(columns * rows);
-  return {page, frame, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), sheet};
+  return count_along(sheet.x, frame.x, overlap) * count_along(sheet.y, frame.y, overlap);
+}
+
+TileGrid grid_on(Vec2 sheet, Vec2 page, double overlap) {
+  const Vec2 frame = frame_of(page);
+  check_count(count_on(sheet, page, overlap));
+  return {.page = page,
+          .frame = frame,
+          .columns = static_cast<std::size_t>(count_along(sheet.x, frame.x, overlap)),
+          .rows = static_cast<std::size_t>(count_along(sheet.y, frame.y, overlap)),
+          .area = sheet,
+          .overlap = overlap};
+}
+
+/// The paper upright and across.
+/// @throws Error option_out_of_range
+std::array<Vec2, 2> pages_of(const PageOptions& options) {
+  const Paper& paper = options.paper;
+  check_range("page_overlap", options.overlap, {.min = 0.0});
+  const double least = 2.0 * k_tile_margin + options.overlap,
+               shorter = std::min(paper.width, paper.height);
+  if (!(shorter > least)) {
+    throw Error(ErrorCode::option_out_of_range,
+                "paper " + paper.name + " is " + fixed_text(shorter, 1) +
+                    " mm wide, but margins and overlap alone take " + fixed_text(least, 1) +
+                    " mm: take larger paper or less overlap");
+  }
+  return {{{paper.width, paper.height}, {paper.height, paper.width}}};
 }
 
 // The box around all that shows.
@@ -198,15 +212,22 @@ void Marks::add_inside(const Path& path) {
 
 }  // namespace
 
-std::string_view to_string(Paper paper) {
-  return k_entries[static_cast<std::size_t>(paper)].name;
+const std::vector<Paper>& papers() {
+  static const std::vector<Paper> all = {
+      {"a4", 210.0, 297.0},      {"a3", 297.0, 420.0},     {"a2", 420.0, 594.0},
+      {"a1", 594.0, 841.0},      {"a0", 841.0, 1189.0},    {"b4", 250.0, 353.0},
+      {"b3", 353.0, 500.0},      {"b2", 500.0, 707.0},     {"b1", 707.0, 1000.0},
+      {"b0", 1000.0, 1414.0},    {"letter", 215.9, 279.4}, {"legal", 215.9, 355.6},
+      {"tabloid", 279.4, 431.8},
+  };
+  return all;
 }
 
 Paper paper_named(std::string_view name) {
   std::string known;
-  for (const PaperEntry& entry : k_entries) {
-    if (entry.name == name) return entry.paper;
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  for (const Paper& paper : papers()) {
+    if (paper.name == name) return paper;
+    known += (known.empty() ? "" : ", ") + paper.name;
   }
   throw Error(ErrorCode::unknown_name,
               "no paper is called '" + std::string(name) + "'; there are " + known);
@@ -218,12 +239,12 @@ Vec2 TileGrid::low_of(std::size_t row, std::size_t column) const {
 }
 
 Vec2 TileGrid::size() const {
-  return {static_cast<double>(columns) * step().x + k_tile_overlap,
-          static_cast<double>(rows) * step().y + k_tile_overlap};
+  return {static_cast<double>(columns) * step().x + overlap,
+          static_cast<double>(rows) * step().y + overlap};
 }
 
-void check_page_area(double area, Paper paper) {
-  const Vec2 frame = frame_of(k_entries[static_cast<std::size_t>(paper)].size);
+void check_page_area(double area, const PageOptions& options) {
+  const Vec2 frame = frame_of(pages_of(options).front());
   check_count(area / (frame.x * frame.y));
 }
 
@@ -234,30 +255,45 @@ std::string tile_name(std::size_t row, std::size_t column) {
   return letters + std::to_string(column + 1);
 }
 
-TileGrid tile_grid(Vec2 area, Paper paper) {
-  const Vec2 size = k_entries[static_cast<std::size_t>(paper)].size;
-  const auto tiles = [&](Vec2 page) {
-    return count_along(area.x, page.x - 2.0 * k_tile_margin) *
-           count_along(area.y, page.y - 2.0 * k_tile_margin);
-  };
-  const Vec2 across = {size.y, size.x};
-  return grid_on(area, tiles(across) < tiles(size) ? across : size);
+TileGrid tile_grid(Vec2 area, const PageOptions& options) {
+  const auto [upright, across] = pages_of(options);
+  const bool is_across =
+      count_on(area, across, options.overlap) < count_on(area, upright, options.overlap);
+  return grid_on(area, is_across ? across : upright, options.overlap);
 }
 
-TileGrid tile_grid(const Drawing& drawing, Paper paper) {
+TileGrid tile_grid(const Drawing& drawing, const PageOptions& options) {
   const Box box = shown_of(drawing);
-  TileGrid grid = tile_grid(box.high - box.low, paper);
-  grid.low = box.low;
-  return grid;
+  const Vec2 area = box.high - box.low;
+  TileGrid best = tile_grid(area, options);
+  best.low = box.low;
+  const auto used = [&](const TileGrid& grid) {
+    const std::vector<bool> tiles = used_tiles(drawing, grid);
+    return std::count(tiles.begin(), tiles.end(), true);
+  };
+  for (const Vec2 page : pages_of(options)) {
+    if (page == best.page || count_on(area, page, options.overlap) > k_most_tiles) continue;
+    TileGrid other = grid_on(area, page, options.overlap);
+    other.low = box.low;
+    if (used(other) < used(best)) best = other;
+  }
+  return best;
+}
+
+PageRoom page_room(const PageOptions& options, bool across) {
+  const Vec2 frame = frame_of(pages_of(options)[across ? 1 : 0]);
+  return {frame, frame - Vec2{options.overlap, options.overlap}};
 }
 
 std::optional<TileGrid> tile_grid(const Drawing& drawing, double longest) {
   const Box box = shown_of(drawing);
   const Vec2 area = box.high - box.low;
   const double frame = longest - 2.0 * k_tile_margin;
-  if (!(count_along(area.x, frame) * count_along(area.y, frame) <= k_most_tiles))
+  constexpr double overlap = 10.0;
+  if (!(count_along(area.x, frame, overlap) * count_along(area.y, frame, overlap) <= k_most_tiles))
     return std::nullopt;
-  TileGrid grid = grid_on(area, {page_along(area.x, longest), page_along(area.y, longest)});
+  const Vec2 page = {page_along(area.x, longest, overlap), page_along(area.y, longest, overlap)};
+  TileGrid grid = grid_on(area, page, overlap);
   grid.low = box.low;
   return grid;
 }

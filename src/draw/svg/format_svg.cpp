@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include <planish/draw/format_drawing.h>
 
@@ -39,11 +42,30 @@ class SvgLayers {
 
   void add(const Layer& layer) {
     const std::string name = escape_markup(layer.name);
-    svg_ += "<g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name + '"';
-    if (!layer.visible) svg_ += " style=\"display:none\"";
-    svg_ += ">\n";
+    begin_layer(name, name, layer.visible);
     for (const DrawingShape& shape : layer.shapes) {
       std::visit([this](const auto& some) { add(some); }, shape);
+    }
+    svg_ += "</g>\n";
+  }
+
+  /// The layers of one piece inside a group; what has nothing of it is left out.
+  void add_piece(const std::string& name, std::size_t number, std::span<const Layer> layers) {
+    const std::string id = "piece-" + std::to_string(number + 1);
+    begin_layer(id, escape_markup(name), true);
+    for (const Layer& layer : layers) {
+      bool has_begun = false;
+      for (const DrawingShape& shape : layer.shapes) {
+        const auto add_own = [&](const auto& some) {
+          if (some.piece != number) return;
+          const std::string of_layer = escape_markup(layer.name);
+          if (!has_begun) begin_layer(id + "-" + of_layer, of_layer, layer.visible);
+          has_begun = true;
+          add(some);
+        };
+        std::visit(add_own, shape);
+      }
+      if (has_begun) svg_ += "</g>\n";
     }
     svg_ += "</g>\n";
   }
@@ -51,6 +73,12 @@ class SvgLayers {
   std::string take() && { return std::move(svg_); }
 
  private:
+  void begin_layer(const std::string& id, const std::string& label, bool visible) {
+    svg_ += "<g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
+    if (!visible) svg_ += " style=\"display:none\"";
+    svg_ += ">\n";
+  }
+
   Place place_of(Vec2 point) const {
     return {std::round(k_steps * point.x), std::round(k_steps * (height_ - point.y))};
   }
@@ -187,7 +215,34 @@ std::string svg_layers(std::span<const Layer> layers, double height) {
   return std::move(svg).take();
 }
 
-std::string format_svg(const Drawing& drawing) {
+namespace {
+
+/// Whether it is about the sheet and not about a piece.
+bool is_of_sheet(const Layer& layer) {
+  return layer.name == "label" || layer.name == "legend";
+}
+
+/// What is about the sheet, then piece by piece.
+std::string svg_pieces(const Drawing& drawing) {
+  SvgLayers svg(drawing.height);
+  std::vector<Layer> of_pieces;
+  const std::size_t count = std::max<std::size_t>(drawing.pieces.size(), 1);
+  for (const Layer& layer : drawing.layers) {
+    if (is_of_sheet(layer))
+      svg.add(layer);
+    else
+      of_pieces.push_back(layer);
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    const bool is_named = p < drawing.pieces.size() && !drawing.pieces[p].name.empty();
+    svg.add_piece(is_named ? drawing.pieces[p].name : drawing.title, p, of_pieces);
+  }
+  return std::move(svg).take();
+}
+
+}  // namespace
+
+std::string format_svg(const Drawing& drawing, const SvgOptions& options) {
   const std::string width = fixed_text(drawing.width, k_decimals);
   const std::string height = fixed_text(drawing.height, k_decimals);
   std::string svg =
@@ -197,7 +252,7 @@ std::string format_svg(const Drawing& drawing) {
       " width=\"" +
       width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + ' ' + height + "\">\n";
   svg += "<title>" + escape_markup(drawing.title) + "</title>\n";
-  svg += svg_layers(drawing.layers, drawing.height);
+  svg += options.by_piece ? svg_pieces(drawing) : svg_layers(drawing.layers, drawing.height);
   svg += "</svg>\n";
   return svg;
 }

@@ -47,6 +47,16 @@ void check(std::span<const ProductPatch> patches) {
   }
 }
 
+/// @param vertex of the other one -> of this one
+bool have_same_fold(const ProductPatch& own, const ProductPatch& other,
+                    std::span<const Index> vertex) {
+  if (!own.fold || !other.fold) return own.fold.has_value() == other.fold.has_value();
+  const auto is_there = [&](Index v) { return v < vertex.size(); };
+  if (!is_there((*other.fold)[0]) || !is_there((*other.fold)[1])) return false;
+  const auto ends = std::minmax(vertex[(*other.fold)[0]], vertex[(*other.fold)[1]]);
+  return ends == std::minmax((*own.fold)[0], (*own.fold)[1]);
+}
+
 /// What a thread makes of a patch. Without either it was cancelled. Of a failure nothing else is
 /// known: there may be no memory for more.
 struct PatchOutcome {
@@ -103,6 +113,7 @@ class PatchWork {
     if (!options.match_seams)
       options.match_seams = options.match_if_possible =
           options_.match_seams && borders_[p].has_seams;
+    if (patches_[p].fold) options.fold = patches_[p].fold;
     if (patches_[p].limits) {
       options.limits = *patches_[p].limits;
       options.material = patches_[p].words.material;
@@ -237,7 +248,10 @@ class ProductWork {
       meshes.push_back(&patch.mesh);
     alike_ = find_twins(meshes, k_twin_tolerance, context_);
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      if (alike_[p] && patches_[p].limits != patches_[alike_[p]->of].limits) alike_[p].reset();
+      if (!alike_[p]) continue;
+      const ProductPatch &own = patches_[p], &other = patches_[alike_[p]->of];
+      if (own.limits != other.limits || !have_same_fold(own, other, alike_[p]->match.vertex))
+        alike_[p].reset();
     }
     report_.twins.reserve(alike_.size());
     for (const auto& twin : alike_) {

@@ -60,11 +60,31 @@ std::vector<std::size_t> corners_of(const Polygon& loop) {
   return corners;
 }
 
+namespace {
+
+/// The points from corner to corner of a loop, the first run behind its lowest vertex.
+std::vector<std::vector<std::size_t>> runs_from_lowest(const PieceOutline& outline, std::size_t k) {
+  const std::size_t n = outline.loops[k].size();
+  std::vector<std::vector<std::size_t>> runs = points_between(n, corners_of(outline.loops[k]));
+  if (outline.vertices.empty() || outline.vertices[k].empty()) return runs;
+  const std::vector<Index>& vertices = outline.vertices[k];
+  const auto lowest = static_cast<std::size_t>(std::min_element(vertices.begin(), vertices.end()) -
+                                               vertices.begin());
+  const auto way = [&](const std::vector<std::size_t>& run) {
+    return (run.front() + n - lowest) % n;
+  };
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](const auto& a, const auto& b) { return way(a) < way(b); });
+  return runs;
+}
+
+}  // namespace
+
 std::vector<OutlineEdge> edges_between_corners(const PieceOutline& outline) {
   std::vector<OutlineEdge> edges;
   for (std::size_t k = 0; k < outline.loops.size(); ++k) {
     const Polygon& loop = outline.loops[k];
-    for (std::vector<std::size_t>& points : points_between(loop.size(), corners_of(loop))) {
+    for (std::vector<std::size_t>& points : runs_from_lowest(outline, k)) {
       OutlineEdge& edge = edges.emplace_back(OutlineEdge{k, std::move(points)});
       for (std::size_t i = 1; i < edge.points.size(); ++i)
         edge.length += norm(loop[edge.points[i]] - loop[edge.points[i - 1]]);

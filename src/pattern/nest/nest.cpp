@@ -303,6 +303,14 @@ Nesting nest_in_turns(std::span<const NestPiece> pieces, const NestOptions& opti
   return nesting_of(best, shop, pieces, options);
 }
 
+/// All that have no turns of their own get the usual ones.
+std::vector<NestPiece> with_own_turns(std::span<const NestPiece> pieces, Turns usual) {
+  std::vector<NestPiece> turnable(pieces.begin(), pieces.end());
+  for (NestPiece& piece : turnable)
+    piece.turns = piece.turns.value_or(usual);
+  return turnable;
+}
+
 bool needs_less(const Nesting& a, const Nesting& b) {
   if (a.sheets != b.sheets) return a.sheets < b.sheets;
   return a.used_length < b.used_length - k_nest_slack;
@@ -343,20 +351,24 @@ void check_copies(double copies) {
 Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options,
              const Context& context) {
   check(pieces, options);
+  const std::vector<NestPiece> turnable = with_own_turns(pieces, options.turns);
+  NestOptions widest = options;
+  for (const NestPiece& piece : turnable)
+    widest.turns = std::max(widest.turns, *piece.turns);
   // Laying is greedy, so with more turns it may come to need more. Hence all sets of turns are
   // tried that are allowed: a larger one is never worse.
   std::vector<NestOptions> sets;
   for (const Turns turns : {Turns::none, Turns::half, Turns::quarter}) {
-    NestOptions some = options;
+    NestOptions some = widest;
     some.turns = turns;
-    if (turns < options.turns && all_fit(pieces, some)) sets.push_back(some);
+    if (turns < widest.turns && all_fit(turnable, some)) sets.push_back(some);
   }
-  sets.push_back(options);
+  sets.push_back(widest);
   PartsOfJob parts(context);
   std::optional<Nesting> best;
   for (std::size_t k = 0; k < sets.size(); ++k) {
     const double share = 1.0 / static_cast<double>(sets.size() - k);
-    Nesting some = nest_in_turns(pieces, sets[k], parts.next(share));
+    Nesting some = nest_in_turns(turnable, sets[k], parts.next(share));
     if (!best || !needs_less(*best, some)) best = std::move(some);
   }
   return *best;

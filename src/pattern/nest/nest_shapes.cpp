@@ -19,8 +19,8 @@ constexpr double k_columns_a_piece = 150.0;  // of the middling piece
 constexpr double k_most_columns = 20'000.0;  // of the largest
 constexpr double k_largest_number = 1e7;     // millimetres
 
-std::vector<double> turns_of(Turns turns) {
-  switch (turns) {
+std::vector<double> turns_of(const NestPiece& piece, const NestOptions& options) {
+  switch (std::min(piece.turns.value_or(options.turns), options.turns)) {
     case Turns::none:
       return {0.0};
     case Turns::half:
@@ -64,7 +64,7 @@ std::vector<BoxLength> box_lengths(std::span<const NestPiece> pieces, const Nest
   for (const NestPiece& piece : pieces) {
     if (piece.quantity == 0) continue;
     const double area = std::abs(signed_area(piece.outline.loops.front()));
-    for (const double turn : turns_of(options.turns)) {
+    for (const double turn : turns_of(piece, options)) {
       const Vec2 size = loop_box(turned(piece.outline, in_one_turn(piece.angle + turn))).size();
       if (area < k_full * size.x * size.y) continue;
       const double length = size.x + options.gap;
@@ -102,8 +102,9 @@ std::string size_text_of(Vec2 size) {
                                            : "a roll of width " + fixed_text(options.width, 1);
   const std::string margin =
       options.margin > 0.0 ? " with margins of " + fixed_text(options.margin, 1) + " mm" : "";
-  const std::string advice =
-      options.turns == Turns::free ? "" : ", or let pieces be turned more freely";
+  const std::string advice = piece.turns.value_or(options.turns) == Turns::free
+                                 ? ""
+                                 : ", or let pieces be turned more freely";
   throw Error(ErrorCode::piece_too_large,
               "piece \"" + piece.outline.piece + "\" is " + size_text_of(size) +
                   ", length by width, and fits on no place of " + sheet + " mm" + margin +
@@ -149,8 +150,8 @@ std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const Nes
 }
 
 bool all_fit(std::span<const NestPiece> pieces, const NestOptions& options) {
-  const std::vector<double> turns = turns_of(options.turns);
   return std::all_of(pieces.begin(), pieces.end(), [&](const NestPiece& piece) {
+    const std::vector<double> turns = turns_of(piece, options);
     return piece.quantity == 0 || std::any_of(turns.begin(), turns.end(), [&](double turn) {
              const double angle = in_one_turn(piece.angle + turn);
              return fits(loop_box(turned(piece.outline, angle)).size(), options);
@@ -162,7 +163,7 @@ std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions
                                        double step) {
   std::vector<TurnedPiece> result;
   Vec2 narrowest{0.0, std::numeric_limits<double>::infinity()};
-  for (const double turn : turns_of(options.turns)) {
+  for (const double turn : turns_of(piece, options)) {
     TurnedPiece candidate{.angle = in_one_turn(piece.angle + turn)};
     std::vector<Polygon> loops = turned(piece.outline, candidate.angle);
     const LoopBox box = loop_box(loops);

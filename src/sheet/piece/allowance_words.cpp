@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/number_text.h"
+#include "sheet/piece/sheet_length.h"
 
 namespace planish {
 
@@ -16,8 +16,8 @@ struct OtherWidth {
   std::vector<std::string> places;
 };
 
-std::string width_text(double width) {
-  return width > 0.0 ? fixed_text(width, 3) + " mm" : "none";
+std::string width_text(double width, Unit unit) {
+  return width > 0.0 ? short_sheet_length(width, unit, 3) : "none";
 }
 
 std::string list_text(const std::vector<std::string>& places) {
@@ -36,7 +36,7 @@ void add_place(double width, const std::string& place, std::vector<OtherWidth>& 
 
 /// The widths of all points of the outline but those of the fold, which has none.
 std::vector<OtherWidth> other_widths(const PieceOutline& outline, const Allowance& widths,
-                                     double usual) {
+                                     double usual, const std::vector<std::string>& names) {
   std::vector<OtherWidth> others;
   const std::vector<OutlineEdge> edges = edges_between_corners(outline);
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -45,7 +45,7 @@ std::vector<OtherWidth> other_widths(const PieceOutline& outline, const Allowanc
     const double first = of_loop[points.front()];
     const bool is_whole = std::all_of(points.begin(), points.end() - 1,
                                       [&](std::size_t k) { return of_loop[k] == first; });
-    const std::string place = (is_whole ? "edge " : "a part of edge ") + std::to_string(e + 1);
+    const std::string place = (is_whole ? "" : "a part of ") + names[e];
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double width = of_loop[points[i]];
       if (width != usual && width >= 0.0) add_place(width, place, others);
@@ -65,20 +65,22 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
     stretches.push_back(fold_stretch(outline, *options.fold));
     stretches.back().width = k_fold;
   }
-  std::string plain = width_text(usual) + " allowance";
+  std::string plain = width_text(usual, options.sheet_unit) + " allowance";
   if (stretches.empty()) return plain;
   const Allowance widths = with_edge_allowances({.width = usual}, outline, stretches);
   const bool has_usual = std::any_of(
       widths.edge_widths.begin(), widths.edge_widths.end(),
       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), usual) != loop.end(); });
-  const std::vector<OtherWidth> others = other_widths(outline, widths, usual);
+  const std::vector<OtherWidth> others =
+      other_widths(outline, widths, usual, words_of_edges(outline, options.edges));
   if (others.empty()) return plain;
-  if (!has_usual && others.size() == 1) return width_text(others.front().width) + " allowance";
+  if (!has_usual && others.size() == 1)
+    return width_text(others.front().width, options.sheet_unit) + " allowance";
   std::string text = "allowance ";
-  if (has_usual) text += width_text(usual);
+  if (has_usual) text += width_text(usual, options.sheet_unit);
   for (std::size_t i = 0; i < others.size(); ++i) {
-    text += (i > 0 || has_usual ? ", " : "") + width_text(others[i].width) + " at " +
-            list_text(others[i].places);
+    text += (i > 0 || has_usual ? ", " : "") + width_text(others[i].width, options.sheet_unit) +
+            " at " + list_text(others[i].places);
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/number_text.h"
 #include "pattern/curves/piece_math.h"
 #include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
@@ -47,6 +48,8 @@ Allowance turned_round(Allowance allowance) {
     std::reverse(widths.begin(), widths.end());
   for (std::vector<unsigned char>& folds : allowance.folds)
     std::reverse(folds.begin(), folds.end());
+  for (std::vector<int>& hems : allowance.hems)
+    std::reverse(hems.begin(), hems.end());
   return allowance;
 }
 
@@ -154,17 +157,67 @@ struct CutLine {
   Allowance allowance;
 };
 
+/// Whether a loop has no allowance.
+bool is_bare(const Allowance& allowance, std::size_t loop) {
+  if (loop > 0 && !allowance.holes) return true;
+  if (allowance.edge_widths.empty()) return !(allowance.width > 0.0);
+  const std::vector<double>& widths = allowance.edge_widths[loop];
+  return std::none_of(widths.begin(), widths.end(), [](double width) { return width > 0.0; });
+}
+
+/// With half of what the machine cuts away besides, everywhere but along folds.
+Allowance with_kerf(Allowance allowance, const PieceOutline& outline, double kerf) {
+  if (!(kerf > 0.0)) return allowance;
+  if (allowance.edge_widths.empty()) {
+    for (const Polygon& loop : outline.loops) {
+      allowance.edge_widths.emplace_back(loop.size(), allowance.width);
+      allowance.folds.emplace_back(loop.size(), 0);
+    }
+  }
+  for (std::size_t k = 0; k < outline.loops.size(); ++k) {
+    for (std::size_t i = 0; i < outline.loops[k].size(); ++i) {
+      double& width = allowance.edge_widths[k][i];
+      if (k > 0 && !allowance.holes) width = 0.0;
+      if (allowance.folds[k][i] == 0) width += 0.5 * kerf;
+    }
+  }
+  allowance.width += 0.5 * kerf;
+  allowance.holes = true;
+  return allowance;
+}
+
+/// @param hole a loop of the outline
+[[noreturn]] void refuse_kerf(const PieceOutline& outline, std::size_t hole, double kerf) {
+  throw Error(ErrorCode::allowance_too_wide, "piece \"" + outline.piece + "\": a kerf of " +
+                                                 fixed_text(kerf, 3) +
+                                                 " mm is wider than the hole at vertex " +
+                                                 std::to_string(outline.vertices[hole].front()));
+}
+
+/// Before a line is moved by half of the kerf, whether the piece is wider than it.
+void check_kerf(const PieceOutline& outline, double kerf) {
+  const Vec2 size = loop_box(outline.loops).size();
+  const double narrow = std::min(size.x, size.y);
+  if (kerf < narrow || !(kerf > 0.0)) return;
+  throw Error(ErrorCode::option_out_of_range,
+              "piece \"" + outline.piece + "\" is " + fixed_text(narrow, 3) +
+                  " mm wide, less than a kerf of " + fixed_text(kerf, 3) + " mm");
+}
+
 /// A hole that its allowance would fill is cut without one.
 CutLine cut_line(const PieceOutline& outline, const Allowance& asked,
-                 std::vector<EdgeAllowance> edges, std::vector<std::string>& left_out) {
+                 std::vector<EdgeAllowance> edges, double kerf,
+                 std::vector<std::string>& left_out) {
+  check_kerf(outline, kerf);
   for (std::size_t bare = 0;; ++bare) {
     CutLine line{{}, with_edge_allowances(asked, outline, edges)};
     try {
-      line.loops = offset_outline(outline, line.allowance);
+      line.loops = offset_outline(outline, with_kerf(line.allowance, outline, kerf));
       return line;
     } catch (const Error& error) {
       const std::optional<std::size_t> hole = error.place().first;
       const bool fills = error.code() == ErrorCode::allowance_too_wide && hole;
+      if (fills && kerf > 0.0 && is_bare(line.allowance, *hole)) refuse_kerf(outline, *hole, kerf);
       if (!fills || bare == outline.loops.size()) throw;
       left_out.push_back(std::string(error.what()) + "; this hole is cut without");
       const Index vertex = outline.vertices[*hole].front();
@@ -202,6 +255,15 @@ std::vector<PlacedNotch> notches_that_fit(const PieceOutline& outline, std::span
   return placed(fit);
 }
 
+/// Allowances of edges by vertices, as all others are; names stay.
+PatternOptions with_allowances_of_edges(PatternOptions options, const PieceOutline& outline) {
+  for (const EdgeAllowance& edge : allowances_of_edges(outline, options.edges))
+    options.edge_allowances.push_back(edge);
+  for (PatternEdge& edge : options.edges)
+    edge.allowance.reset();
+  return options;
+}
+
 /// Without what is measured on it.
 PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
                              const std::string& piece, PatternOptions wanted) {
@@ -216,8 +278,10 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
   pattern.outline = piece_outline(border_loops(mesh, mirrored), pattern.positions, piece);
   if (options.like) begin_at(options.like->start, pattern.outline);
   pattern.cut = pattern.outline.loops;
+  pattern.options = with_allowances_of_edges(
+      std::move(pattern.options), mirrored ? mirror_image(pattern).outline : pattern.outline);
   std::vector<EdgeAllowance> edges =
-      mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
+      mirrored ? turned_round(pattern.options.edge_allowances) : pattern.options.edge_allowances;
   const bool is_half = options.is_half();
   if (is_half) edges.push_back(fold_stretch(pattern.outline, *options.fold));
   Allowance allowance = options.allowance.value_or(Allowance{});
@@ -225,9 +289,10 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
   if (is_half && !options.allowance) {
     allowance = with_edge_allowances({.width = 1.0}, pattern.outline, {&edges.back(), 1});
   }
-  if (options.allowance) {
-    CutLine line = cut_line(pattern.outline, allowance, edges, pattern.left_out);
-    allowance = std::move(line.allowance);
+  if (options.allowance || options.kerf > 0.0) {
+    const Allowance asked = options.allowance.value_or(Allowance{.width = 0.0});
+    CutLine line = cut_line(pattern.outline, asked, edges, options.kerf, pattern.left_out);
+    if (options.allowance) allowance = std::move(line.allowance);
     pattern.cut = std::move(line.loops);
   }
   std::vector<std::string> no_notches;

@@ -126,12 +126,12 @@ void check_plt(const Drawing& drawing, bool anywhere) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
   const bool anywhere = bytes.whole(0, 3) == 0;
-  const Paper paper = k_papers[bytes.whole(0, k_papers.size() - 1)];
+  const Paper paper = papers()[bytes.whole(0, papers().size() - 1)];
   const Drawing drawing = drawing_from(bytes, anywhere);
   check_svg(drawing, anywhere);
   check_dxf(drawing, anywhere);
   check_plt(drawing, anywhere);
   oracle::check_pdf(format_pdf(drawing));
-  fuzz::allow_refusal([&] { oracle::check_pdf(format_tiled_pdf(drawing, paper)); });
+  fuzz::allow_refusal([&] { oracle::check_pdf(format_tiled_pdf(drawing, {paper})); });
   return 0;
 }

@@ -20,17 +20,17 @@ std::vector<bool> used(DrawingShape shape, Vec2 sheet, const TileGrid& grid) {
 
 TEST(TileGrid, CoversTheSheetWithOverlapsFromItsUpperLeftCorner) {
   for (const Vec2 sheet : {Vec2{10, 10}, Vec2{190, 277}, Vec2{191, 277}, Vec2{900, 1300}}) {
-    for (const Paper paper : k_papers) {
-      const TileGrid grid = tile_grid(sheet, paper);
+    for (const Paper& paper : papers()) {
+      const TileGrid grid = tile_grid(sheet, {paper});
       EXPECT_GE(grid.size().x, sheet.x - 1e-3);
       EXPECT_GE(grid.size().y, sheet.y - 1e-3);
       const Vec2 first = grid.low_of(0, 0), last = grid.low_of(grid.rows - 1, grid.columns - 1);
       EXPECT_DOUBLE_EQ(first.x, 0.0);
       EXPECT_DOUBLE_EQ(first.y + grid.frame.y, sheet.y);
-      EXPECT_TRUE(grid.columns == 1 || last.x + k_tile_overlap < sheet.x) << "no column too much";
-      EXPECT_TRUE(grid.rows == 1 || last.y + grid.frame.y - k_tile_overlap > 0.0);
+      EXPECT_TRUE(grid.columns == 1 || last.x + grid.overlap < sheet.x) << "no column too much";
+      EXPECT_TRUE(grid.rows == 1 || last.y + grid.frame.y - grid.overlap > 0.0);
       if (grid.columns > 1) {
-        EXPECT_DOUBLE_EQ(grid.low_of(0, 1).x + k_tile_overlap, grid.frame.x);
+        EXPECT_DOUBLE_EQ(grid.low_of(0, 1).x + grid.overlap, grid.frame.x);
       }
       EXPECT_DOUBLE_EQ(grid.frame.x, grid.page.x - 2.0 * k_tile_margin);
     }
@@ -38,17 +38,17 @@ TEST(TileGrid, CoversTheSheetWithOverlapsFromItsUpperLeftCorner) {
 }
 
 TEST(TileGrid, LaysThePaperAsNeedsFewerPages) {
-  const TileGrid upright = tile_grid({190.0, 277.0}, Paper::a4);
+  const TileGrid upright = tile_grid({190.0, 277.0}, {paper_named("a4")});
   EXPECT_EQ(upright.columns * upright.rows, 1U);
   EXPECT_EQ(upright.page, (Vec2{210.0, 297.0}));
-  const TileGrid across = tile_grid({277.0, 190.0}, Paper::a4);
+  const TileGrid across = tile_grid({277.0, 190.0}, {paper_named("a4")});
   EXPECT_EQ(across.columns * across.rows, 1U);
   EXPECT_EQ(across.page, (Vec2{297.0, 210.0}));
 }
 
 TEST(TileGrid, RefusesMorePagesThanAnyoneJoins) {
   try {
-    tile_grid({90000.0, 90000.0}, Paper::a4);
+    tile_grid({90000.0, 90000.0}, {paper_named("a4")});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
@@ -66,7 +66,8 @@ TEST(TileName, CountsRowsInLettersAndColumnsInNumbers) {
 
 TEST(UsedTiles, AreThoseThatALineMeets) {
   const Vec2 sheet = {540.0, 801.0};
-  const TileGrid grid = tile_grid(sheet, Paper::a4);  // frames of 190 x 277, steps 180 x 267
+  const TileGrid grid =
+      tile_grid(sheet, {paper_named("a4")});  // frames of 190 x 277, steps 180 x 267
   ASSERT_EQ(grid.columns, 3U);
   ASSERT_EQ(grid.rows, 3U);
   // From the upper left corner straight down to the lower right one.
@@ -81,7 +82,7 @@ TEST(UsedTiles, AreThoseThatALineMeets) {
 
 TEST(UsedTiles, HoldTheInsideOfWhatIsClosedButNotItsHoles) {
   const Vec2 sheet = {900.0, 1335.0};
-  const TileGrid grid = tile_grid(sheet, Paper::a4);
+  const TileGrid grid = tile_grid(sheet, {paper_named("a4")});
   ASSERT_EQ(grid.columns * grid.rows, 25U);
   const std::vector<Vec2> border = {{1, 1}, {899, 1}, {899, 1334}, {1, 1334}};
   const auto middle = [&](const std::vector<bool>& tiles) { return tiles[12]; };
@@ -94,23 +95,26 @@ TEST(UsedTiles, HoldTheInsideOfWhatIsClosedButNotItsHoles) {
 TEST(WriteTiledPdf, HasAMapAndAPageForEveryTileThatIsUsed) {
   const Drawing drawing = {
       "t", 540.0, 801.0, {Layer{"cut", {Path{{{{5, 796}, {535, 5}}}, false, Stroke{}}}}}};
-  const std::string pdf = format_tiled_pdf(drawing, Paper::a4);
-  EXPECT_THAT(pdf, HasSubstr("/Count 8 "));
-  EXPECT_THAT(pdf, HasSubstr("(A3) Tj")) << "the map names all";
-  EXPECT_THAT(pdf, testing::Not(HasSubstr("(A3: row")));
-  EXPECT_THAT(pdf, HasSubstr("(B2: row 2 of 3, column 2 of 3. t) Tj"));
-  EXPECT_EQ(pdf, format_tiled_pdf(drawing, Paper::a4));
+  const std::string pdf = format_tiled_pdf(drawing, {paper_named("a4")});
+  // Upright it has 3 x 3 tiles, of which 7 are used; across 2 x 5, of which 6 are.
+  EXPECT_THAT(pdf, HasSubstr("/Count 7 "));
+  EXPECT_THAT(pdf, HasSubstr("(A2) Tj")) << "the map names all";
+  EXPECT_THAT(pdf, testing::Not(HasSubstr("(A2: row")));
+  EXPECT_THAT(pdf, HasSubstr("(C2: row 3 of 5, column 2 of 2. t) Tj"));
+  EXPECT_EQ(pdf, format_tiled_pdf(drawing, {paper_named("a4")}));
 }
 
 TEST(Papers, AreKnownByTheirNames) {
-  for (const Paper paper : k_papers)
-    EXPECT_EQ(paper_named(to_string(paper)), paper);
+  for (const Paper& paper : papers()) {
+    EXPECT_EQ(paper_named(paper.name), paper);
+    EXPECT_LT(paper.width, paper.height) << "upright";
+  }
   EXPECT_THROW(paper_named("a5"), Error);
 }
 
 TEST(UsedTiles, HoldTheInsideOfAPieceThatIsOpenAlongItsFold) {
   const Vec2 sheet = {900.0, 1335.0};
-  const TileGrid grid = tile_grid(sheet, Paper::a4);
+  const TileGrid grid = tile_grid(sheet, {paper_named("a4")});
   const Path cut{{{{1, 1}, {899, 1}, {899, 1334}, {1, 1334}}}, false, Stroke{}};
   Path fold{{{{1, 1334}, {1, 1}}}, false, Stroke{}};
   for (const bool opened : {false, true}) {

@@ -117,7 +117,8 @@ TEST_F(Materials, ThatAreWrongAreRefusedWithPlaceAndKey) {
   EXPECT_THAT(refusal("[]"), HasSubstr("must be an object"));
   EXPECT_THAT(refusal("{}"), HasSubstr("needs \"name\""));
   EXPECT_THAT(refusal(R"({"name": "a", "strech": {}})"),
-              HasSubstr("unknown key \"strech\"; known are name, use, stretch or compression"));
+              HasSubstr("unknown key \"strech\"; did you mean stretch?; known are name, use, "
+                        "stretch or compression"));
   EXPECT_THAT(refusal(R"({"name": 3})"), HasSubstr("name: must be a text in quotes"));
   EXPECT_THAT(refusal(R"({"name": "a\nb"})"), HasSubstr("name: must be one line"));
   EXPECT_THAT(refusal(R"({"name": ")" + std::string(61, 'a') + "\"}"),

@@ -94,24 +94,11 @@ struct FlattenRequest {
   std::shared_ptr<const NestRequest> nest;
 };
 
-/// What is asked for each piece; those that get other names have them afterwards.
-std::vector<PieceRequest> requests_for(ProductInput& input, const PatternOptions& usual,
-                                       const Arguments& arguments, Session& session) {
-  std::vector<PieceRequest> requests =
-      piece_requests(input.patches, input.settings, usual, arguments, session);
-  std::map<std::string, std::string> names;
-  for (std::size_t p = 0; p < requests.size(); ++p) {
-    if (requests[p].name) names.emplace(input.patches[p].name, *requests[p].name);
-  }
-  give_names(input, std::move(names), "--piece");
-  return requests;
-}
-
 ProductJob product_job(FlattenRequest request, ProductInput input,
                        const std::optional<CutOutcome>& cut, const Arguments& arguments,
                        Session& session) {
   std::vector<PieceRequest> requests =
-      requests_for(input, request.pattern.annotations, arguments, session);
+      named_requests(input, request.pattern.annotations, arguments, session);
   const std::vector<std::string>& inputs = arguments.operands;
   ProductJob job{.path = inputs.size() > 1 ? utf8_of(request.folder) : inputs.front(),
                  .patches = std::move(input.patches),

@@ -71,4 +71,16 @@ void give_names(ProductInput& input, std::map<std::string, std::string> asked,
     input.places[p].folder = folders[p];
 }
 
+std::vector<PieceRequest> named_requests(ProductInput& input, const PatternOptions& usual,
+                                         const Arguments& arguments, Session& session) {
+  std::vector<PieceRequest> requests =
+      piece_requests(input.patches, input.settings, usual, arguments, session);
+  std::map<std::string, std::string> names;
+  for (std::size_t p = 0; p < requests.size(); ++p) {
+    if (requests[p].name) names.emplace(input.patches[p].name, *requests[p].name);
+  }
+  give_names(input, std::move(names), "--piece");
+  return requests;
+}
+
 }  // namespace planish::cli

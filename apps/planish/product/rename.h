@@ -2,7 +2,9 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
+#include "piece/piece_settings.h"
 #include "product/parts.h"
 
 namespace planish::cli {
@@ -20,5 +22,11 @@ void rename_pieces(ProductInput& input, const Arguments& arguments);
 /// @throws UsageError as rename_pieces()
 void give_names(ProductInput& input, std::map<std::string, std::string> asked,
                 const std::string& flag);
+
+/// What is asked for each piece (piece_requests()); those that get other names have them
+/// afterwards.
+/// @throws as piece_requests() and give_names()
+std::vector<PieceRequest> named_requests(ProductInput& input, const PatternOptions& usual,
+                                         const Arguments& arguments, Session& session);
 
 }  // namespace planish::cli

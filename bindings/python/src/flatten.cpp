@@ -21,6 +21,7 @@
 #include "pattern_data.h"
 #include "pickle.h"
 #include "platform/path.h"
+#include "product/cut_product.h"
 #include "product/seams.h"
 #include "shell/output_folder.h"
 #include "text/own_seams.h"
@@ -137,7 +138,7 @@ py::bytes drawing_of(const Drawable& drawable, const std::string& format_name,
     const py::gil_scoped_release no_python;
     const Drawing sheet =
         pattern_sheet(drawable.patch, drawable.unfold, drawable.name, files.annotations);
-    const bool is_tiled = files.output.paper && format == cli::PatternFormat::pdf;
+    const bool is_tiled = files.output.pages && format == cli::PatternFormat::pdf;
     content = is_tiled ? cli::tiled_file(sheet, files.output)
                        : cli::pattern_file(sheet, format, files.output);
   }
@@ -151,7 +152,7 @@ py::bytes drawing_of_flatten(const FlattenResult& result, const std::string& for
   const FlattenReport& report = result.report;
   cli::PatternFiles own = result.pattern;
   own.annotations = on_processed(std::move(own.annotations), report);
-  own.output.paper.reset();
+  own.output.pages.reset();
   if (as_designed) {
     own.annotations.moved.reset();
     own.annotations.form_faults.clear();

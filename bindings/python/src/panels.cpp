@@ -27,6 +27,7 @@ struct PanelsResult {
   TriMesh cut;
   std::optional<cli::CutOutcome> outcome = {};
   Unit unit = Unit::mm;
+  std::vector<std::vector<Vec3>> fixed = {};  ///< places along the seams that were given
   std::vector<std::string> notes = {};
 };
 
@@ -37,13 +38,14 @@ PanelsResult suggested_panels(const MeshData& data, const py::dict& keywords, py
   const double scale = cli::scale_from(arguments);
   Job job(arguments, std::move(progress));
   PanelsResult result = job.run([&](cli::Session& session) {
-    const Patch patch(
-        cli::cut_at_fixed_seams(cli::scaled(data.mesh, scale, {}), data.name, arguments, session)
-            .mesh);
+    cli::CutInput fixed =
+        cli::cut_at_fixed_seams(cli::scaled(data.mesh, scale, {}), data.name, arguments, session);
+    const Patch patch(std::move(fixed.mesh));
     PanelSuggestion found = cli::panels_as_asked(patch, data.name, arguments, session,
                                                  {.match_seams = arguments.has("--match-seams")});
     cli::CutInput cut = cli::cut_into_panels(found);
-    return PanelsResult{data.name, std::move(found), std::move(cut.mesh), cut.cut, unit};
+    return PanelsResult{data.name, std::move(found),      std::move(cut.mesh), cut.cut,
+                        unit,      std::move(fixed.lines)};
   });
   result.notes = notes_on(data, arguments, job.notes());
   return result;
@@ -102,7 +104,7 @@ void register_panels(py::module_& module) {
       .def(
           "lines_text",
           [](const PanelsResult& result) {
-            return cli::panel_lines(result.found.mesh, result.found.seams);
+            return cli::panel_lines(result.found, result.fixed, {});
           },
           "The .obj file that --cut of the program takes.")
       .def_property_readonly(

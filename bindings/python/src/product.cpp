@@ -20,11 +20,14 @@
 #include "job.h"
 #include "keywords.h"
 #include "model/model_flags.h"
+#include "output/machine.h"
 #include "pattern_data.h"
 #include "pickle.h"
+#include "piece/piece_settings.h"
 #include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
+#include "product/rename.h"
 #include "product/seams.h"
 #include "product/text.h"
 #include "shell/failures.h"
@@ -42,12 +45,6 @@ struct ProductResult {
   std::vector<std::string> notes = {};
 };
 
-/// The patches of a product, and the seams that its file names.
-struct Patches {
-  std::vector<ProductPatch> patches;
-  std::vector<cli::NamedSeam> seams = {};
-};
-
 /// Of a twin, what is drawn follows the other one.
 cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOptions& own,
                            const ProductPatch* other, const PatchTwin* twin) {
@@ -62,17 +59,18 @@ cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOption
 ProductResult flatten_patches(
     const std::string& name, const cli::Arguments& asked, py::object progress,
     const std::function<cli::Arguments(cli::Session&)>& with_unit,
-    const std::function<Patches(cli::Session&, const cli::Arguments&)>& patches_of) {
+    const std::function<cli::ProductInput(cli::Session&, const cli::Arguments&)>& patches_of) {
   Job job(asked, std::move(progress));
   ProductResult result = job.run([&](cli::Session& session) {
-    const cli::Arguments arguments = with_unit(session);
+    const cli::Arguments arguments = cli::without_pieces_out(cli::with_machine(with_unit(session)));
     const FlattenOptions options = cli::flatten_options_from(arguments);
     const ProductOptions product = cli::product_options_from(arguments, options, false);
     cli::colors_from(arguments);
     const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
-    Patches input = patches_of(session, arguments);
+    cli::ProductInput input = patches_of(session, arguments);
+    const auto requests = cli::named_requests(input, pattern.annotations, arguments, session);
     std::vector<ProductPatch>& patches = input.patches;
-    const auto annotations = cli::annotations_of_patches(pattern.annotations, patches, arguments);
+    const auto annotations = cli::annotations_of_patches(requests, patches, arguments);
     for (std::size_t p = 0; p < patches.size(); ++p)
       patches[p].keep = named_vertices(annotations[p]);
     ProductResult made{name, {}, {}};
@@ -102,8 +100,7 @@ ProductResult flatten_files(const std::string& name, const std::vector<std::stri
         return cli::with_stated_unit(command_named("flatten"), asked, session);
       },
       [&](cli::Session& session, const cli::Arguments& arguments) {
-        cli::ProductInput input = cli::read_product(session, paths, arguments, true);
-        return Patches{std::move(input.patches), std::move(input.seams)};
+        return cli::read_product(session, paths, arguments, true);
       });
 }
 
@@ -129,13 +126,14 @@ ProductResult flatten_meshes(const std::string& name,
           throw cli::UsageError(flag.name + " is of files; planish.read() has it for a mesh");
         }
         const cli::RunUnit unit = cli::run_unit_from(arguments);
-        Patches input;
+        cli::ProductInput input;
         for (const auto& [patch, data] : meshes) {
           const Unit own = unit.is_asked ? unit.unit : data->unit.value_or(unit.unit);
           const double scale =
               cli::scale_from(arguments) * millimetres_per(own) / millimetres_per(unit.unit);
           input.patches.push_back({.name = patch, .mesh = cli::scaled(data->mesh, scale, patch)});
         }
+        input.places.resize(input.patches.size());
         return input;
       });
   std::vector<std::string> notes;

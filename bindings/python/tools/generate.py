@@ -18,6 +18,7 @@ import pathlib
 import re
 import sys
 import textwrap
+from keyword import iskeyword
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
 REPO = HERE.parent.parent
@@ -191,7 +192,7 @@ PROPERTY_TYPES = {
 
 def keyword_of(flag):
     name = flag["name"].lstrip("-").replace("-", "_")
-    return name + "_" if name == "lambda" else name
+    return name + "_" if iskeyword(name) else name
 
 
 def flags_of(description, function):

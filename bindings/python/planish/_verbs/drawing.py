@@ -19,6 +19,7 @@ def svg(
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -35,6 +36,7 @@ def svg(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
     """The pattern of a result at true size as SVG, which is also written where there is a path. Without keywords it is
@@ -46,6 +48,8 @@ def svg(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -66,6 +70,7 @@ def svg(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
     """
@@ -86,6 +91,7 @@ def dxf(
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -102,6 +108,7 @@ def dxf(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
     """The pattern of a result at true size as DXF, which is also written where there is a path. Without keywords it is
@@ -118,6 +125,8 @@ def dxf(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -138,6 +147,7 @@ def dxf(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
     """
@@ -150,11 +160,12 @@ def pdf(
     path: Optional[Path] = None,
     *,
     as_designed: bool = False,
-    paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
+    paper: Optional[str] = None,
     map: Optional[bool] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -171,6 +182,7 @@ def pdf(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> bytes:
     """The pattern of a result at true size as PDF, which is also written where there is a path. Without keywords it is
@@ -178,11 +190,14 @@ def pdf(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
+        paper: divide the .pdf into pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter, legal or
+            tabloid, or a size of your own as 36inx48in
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -203,6 +218,7 @@ def pdf(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
     """
@@ -218,6 +234,7 @@ def plt(
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -234,6 +251,7 @@ def plt(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
     """The pattern of a result at true size as HPGL, which is also written where there is a path. Without keywords it is
@@ -244,6 +262,8 @@ def plt(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -264,6 +284,7 @@ def plt(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
     """

@@ -26,14 +26,18 @@ def flatten_product(
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
     textured: Optional[bool] = None,
-    paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
+    paper: Optional[str] = None,
+    page_overlap: Optional[Amount] = None,
+    for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
     map: Optional[bool] = None,
     only_layers: Optional[str | Sequence[str]] = None,
     text: Optional[Literal["letters", "strokes"]] = None,
+    svg_groups: Optional[Literal["layers", "pieces"]] = None,
     dxf_profile: Optional[Literal["generic", "aama", "astm", "clo", "lectra", "optitex", "gerber"]] = None,
     dxf_version: Optional[Literal["r12", "r2000"]] = None,
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
     dxf_layers: Optional[str] = None,
+    piece: Optional[str | Sequence[str]] = None,
     seam_tolerance: Optional[Amount] = None,
     avoid: Optional[str] = None,
     symmetric: Optional[str] = None,
@@ -51,6 +55,7 @@ def flatten_product(
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
     grain: Optional[str | float | Sequence[float]] = None,
@@ -61,6 +66,7 @@ def flatten_product(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
@@ -122,16 +128,26 @@ def flatten_product(
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
-        paper: also write the pattern as a .pdf of pages to be joined: a4, a3, letter or a0
+        paper: also write the pattern as a .pdf of pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter,
+            legal or tabloid, or a size of your own as 36inx48in
+        page_overlap: of neighbouring pages of --paper (default 10mm)
+        for_: what the files are for: laser, knife, plotter, projector or apparel; stands for formats, layers and
+            more, which flags of their own change
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
             internal, annotation, label, legend, hole or cut
         text: letters, or strokes for machines without them (default letters)
+        svg_groups: in the .svg a group for each of the layers, or of the pieces with their layers inside (default
+            layers)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
+        piece: a setting of one piece instead of the flag: front:allowance=12mm; keys: allowance, corners, hole-
+            allowance, kerf, edge-allowances, fold, notches, notch-depth, grain, marks, inner-lines, size, quantity,
+            mirrored, fabric, note, turn, material, name or out, allowance.N or hem.N of edge N and its name edge.N;
+            none: without that flag
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -155,6 +171,8 @@ def flatten_product(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
             .obj drawn on the model
         notch_depth: of notches (default 5mm, or half of less allowance)
@@ -167,6 +185,7 @@ def flatten_product(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,

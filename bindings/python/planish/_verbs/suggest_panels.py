@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Optional
+from typing import TYPE_CHECKING, Literal, Optional, Sequence
 
 from .. import _core, _meshes, _run
 
@@ -26,6 +26,7 @@ def suggest_panels(
     prefer_cuts: Optional[str] = None,
     effort: Optional[int] = None,
     symmetric: Optional[str] = None,
+    seams: Optional[str | Sequence[str]] = None,
     match_seams: Optional[bool] = None,
     threads: Optional[int] = None,
 ) -> _core.PanelsResult:
@@ -45,6 +46,8 @@ def suggest_panels(
         effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         symmetric: make left equal right: auto where the product is symmetric, "x=0" names the plane, no (default
             auto)
+        seams: lines that must be seams, in the words of --cut: a drawing (.obj), "plane x=0", "creases 30deg", ...;
+            others join them; may be repeated
         match_seams: keep the limit with both sides of each seam equally long, as the pieces of flatten --cut auto do
         threads: use at most N threads; never changes the result (default: all usable cores)
     """

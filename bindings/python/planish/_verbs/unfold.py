@@ -31,10 +31,13 @@ def unfold(
     mirror_surface: Optional[bool] = None,
     prefer_cuts: Optional[str] = None,
     effort: Optional[int] = None,
-    paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
+    paper: Optional[str] = None,
+    page_overlap: Optional[Amount] = None,
+    for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
     map: Optional[bool] = None,
     only_layers: Optional[str | Sequence[str]] = None,
     text: Optional[Literal["letters", "strokes"]] = None,
+    svg_groups: Optional[Literal["layers", "pieces"]] = None,
     dxf_profile: Optional[Literal["generic", "aama", "astm", "clo", "lectra", "optitex", "gerber"]] = None,
     dxf_version: Optional[Literal["r12", "r2000"]] = None,
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
@@ -45,6 +48,7 @@ def unfold(
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
+    kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
     notches: Optional[Rows] = None,
@@ -61,6 +65,7 @@ def unfold(
     note: Optional[str] = None,
     date: Optional[str] = None,
     edge_lengths: Optional[bool] = None,
+    sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
     threads: Optional[int] = None,
 ) -> _core.UnfoldResult:
@@ -88,11 +93,17 @@ def unfold(
         prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
             inside a piece); default few
         effort: how many divisions are tried (1 to 1000, default 6); more are never worse
-        paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
+        paper: divide the .pdf into pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter, legal or
+            tabloid, or a size of your own as 36inx48in
+        page_overlap: of neighbouring pages of --paper (default 10mm)
+        for_: what the files are for: laser, knife, plotter, projector or apparel; stands for formats, layers and
+            more, which flags of their own change
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
             internal, annotation, label, legend, hole or cut
         text: letters, or strokes for machines without them (default letters)
+        svg_groups: in the .svg a group for each of the layers, or of the pieces with their layers inside (default
+            layers)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
@@ -106,6 +117,8 @@ def unfold(
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
+        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+            (default 0)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
@@ -126,6 +139,7 @@ def unfold(
         date: written on the sheet as it is (default none)
         edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
             lengths.csv
+        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
         threads: use at most N threads; never changes the result (default: all usable cores)

@@ -82,7 +82,7 @@ class Project {
 
   /// The name of the model's file, which lies beside the project.
   std::string model() const {
-    const std::string name = text("model");
+    std::string name = text("model");
     if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\:") < name.size())
       refuse("model", "must be the name of a file beside the project");
     return name;

@@ -123,6 +123,7 @@ PatternEdge& edge_called(const std::string& edge, const std::string& key,
   }
   if (edge.find_first_not_of("0123456789") != std::string::npos) {
     std::vector<std::string> names;
+    names.reserve(edges.size());
     for (const PatternEdge& known : edges)
       names.push_back(known.name);
     throw Error(ErrorCode::unknown_name, "no edge is called \"" + edge + "\"" +

@@ -417,6 +417,7 @@ std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceReques
       find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments));
   std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes);
   std::vector<PatternOptions> result;
+  result.reserve(requests.size());
   for (const PieceRequest& request : requests)
     result.push_back(request.annotations);
   if (matches_seams_of_product(arguments)) {

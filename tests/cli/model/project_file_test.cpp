@@ -118,7 +118,7 @@ TEST_F(ProjectFileTest, PutsNotchesOnBothSidesOfTheSeam) {
   const nlohmann::json ends = project_["lines"][0]["points"];
   save();
   ASSERT_EQ(planish({"flatten", "panel.json", "-o", "plain"}).exit_code, 0);
-  project_["notches"] = {ends[0]};
+  project_["notches"] = nlohmann::json::array({ends[0]});
   save();
   const CliResult run = planish({"flatten", "panel.json", "-o", "notched"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -126,7 +126,7 @@ TEST_F(ProjectFileTest, PutsNotchesOnBothSidesOfTheSeam) {
     const std::string path = std::string("/") + piece + "/pattern.svg";
     EXPECT_GT(bytes_of("notched" + path).size(), bytes_of("plain" + path).size());
   }
-  project_["notches"] = {{1e6, 0.0, 0.0}};
+  project_["notches"] = nlohmann::json::array({nlohmann::json::array({1e6, 0.0, 0.0})});
   save();
   const CliResult far = planish({"flatten", "panel.json", "-o", "far"});
   EXPECT_THAT(far.err, HasSubstr("notch 1 is on no seam"));

@@ -218,6 +218,7 @@ FinishedDivision finished(CarriedSeams carried, const FinishOptions& options, Th
   for (int round = 0;; ++round) {
     const auto net = std::make_shared<const SeamNet>(std::move(carried.net));
     FinishedDivision result = Finishing(net, std::move(carried.open), options, pool).run();
+    // Dividing comes first: it mends most pieces with a shorter seam than making room for them.
     if (!result.is_valid && round > 0) {
       OpenEdges joined = with_strained_pieces_joined(result, options, pool);
       result = Finishing(net, std::move(joined), options, pool).run();

@@ -137,7 +137,7 @@ class FoldedHalf {
     return opened;
   }
 
-  /// One that meets the fold goes on to its other end in the image.
+  /// Adds a hem and its mirror image. A hem that ends at the fold and its image become one hem.
   void add_hem(const EdgeAllowance& hem, std::vector<EdgeAllowance>& opened) const {
     EdgeAllowance whole = hem, other = hem;
     other.from = image(hem.to);

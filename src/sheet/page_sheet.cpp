@@ -73,7 +73,7 @@ class PageWidths {
  public:
   explicit PageWidths(const PageOptions& pages) : pages_(pages) {}
 
-  /// Of so many rows; of none that of one with a label below.
+  /// The width for a number of rows. For 0 rows: that of one page which also has the label.
   double of(std::size_t rows, bool across) const {
     const PageRoom room = page_room(pages_, across);
     const double around = 2.0 * k_around;

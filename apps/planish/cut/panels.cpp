@@ -82,7 +82,7 @@ CutInput cut_at_fixed_seams(TriMesh mesh, const std::string& path, const Argumen
     throw UsageError("flag --seams takes lines, not open or auto");
   for (const Flag& flag : panel_flags())
     of_cut.flags.erase(flag.name);
-  return cut_as_asked(std::move(mesh), path, of_cut, session);
+  return asked_in("--seams", [&] { return cut_as_asked(std::move(mesh), path, of_cut, session); });
 }
 
 void note_idle_panel_flags(const Arguments& arguments, Session& session) {

@@ -59,8 +59,8 @@ bool has_format(const std::vector<PatternFormat>& formats, PatternFormat format)
   return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 
-/// Whether a flag is heeded in what is written.
-bool is_heeded(std::string_view flag, const std::vector<PatternFormat>& written) {
+/// Whether a flag changes any of the formats that are written.
+bool has_effect(std::string_view flag, const std::vector<PatternFormat>& written) {
   if (flag.starts_with("--dxf")) return has_format(written, PatternFormat::dxf);
   if (flag.starts_with("--svg")) return has_format(written, PatternFormat::svg);
   return true;
@@ -107,7 +107,7 @@ Arguments with_machine(const Arguments& arguments, const std::string& output) {
   }
   for (const Preset& preset : machine.flags) {
     const std::string flag(preset.flag);
-    if (!arguments.has(flag) && is_heeded(flag, written))
+    if (!arguments.has(flag) && has_effect(flag, written))
       some.flags[flag] = {std::string(preset.value)};
   }
   return some;

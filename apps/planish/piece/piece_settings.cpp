@@ -30,18 +30,6 @@ namespace {
 
 constexpr const char* k_flag = "--piece";
 
-/// Runs work on a piece, so that what is wrong names where it was asked for.
-template <class Work>
-auto asked_in(const std::string& where, Work&& work) {
-  try {
-    return work();
-  } catch (const UsageError& error) {
-    throw UsageError(where + ": " + error.what());
-  } catch (const Error& error) {
-    throw Error(error.code(), where + ": " + error.message(), error.place());
-  }
-}
-
 /// "front:allowance=12mm"
 NamedSettings setting_of(const std::string& text) {
   const std::size_t sign = text.find('=');

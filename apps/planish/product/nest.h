@@ -60,7 +60,7 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session);
 
-/// The same, but what stands in the way is told and not thrown.
+/// The same, but an Error is not thrown: it is in NestOutcome's layout as its failure.
 NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                              const std::filesystem::path& folder, const std::string& title,
                              Session& session);
@@ -72,7 +72,7 @@ struct ProductPages {
   std::optional<Failure> failure = {};  ///< why there are none
 };
 
-/// Lays patches on pages of paper. What stands in the way is told and not thrown.
+/// Lays patches on pages of paper. Where that fails there are no files, and `failure` says why.
 /// @param sheets of --sheet, for the gap and the turns; without them pieces turn freely
 /// @param output with pages
 /// @throws Cancelled

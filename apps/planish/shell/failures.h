@@ -33,4 +33,16 @@ auto about(const std::string& path, Work&& work) {
   }
 }
 
+/// Runs work that a flag or a file asks for, so that errors begin with its name.
+template <class Work>
+auto asked_in(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    throw UsageError(where + ": " + error.what());
+  } catch (const Error& error) {
+    throw Error(error.code(), where + ": " + error.message(), error.place());
+  }
+}
+
 }  // namespace planish::cli

@@ -2,7 +2,8 @@
 
 #include "evolve/state/sweep.h"
 
-// Methods that the page never asks for, in place of theirs.
+// Stubs for methods that the page never uses. It is linked with these instead of their sources, so
+// that it stays small.
 
 namespace planish {
 

@@ -29,7 +29,7 @@ struct SuggestedPanel {
   double area = 0.0;             ///< of that of the product
   bool has_pattern = false;      ///< unfold() takes it
   bool overlaps = false;         ///< its pattern lies over itself by more than a hair
-  bool changes = false;          ///< it misses the limits, and PanelOptions::can_change let it
+  bool changes = false;          ///< it misses the limits, and PanelOptions::can_change allows that
   EdgeStrain strain = {};        ///< of its pattern
 };
 
@@ -62,10 +62,11 @@ struct PanelOptions {
   /// for what the product itself is not: each lies across the plane, or has a mirror image.
   std::optional<Plane> symmetric_in = {};
   std::size_t trial_vertices = 3000;  ///< of the thinned product, at least 100
-  /// Asked of a piece whose pattern misses the limits: whether its form can be changed so that it
-  /// keeps them. Such pieces stay whole, so seams are shorter. Of more than 1.5 trial_vertices it
-  /// is asked with about so many. Called from several threads; must always say the same of a piece.
-  /// Empty: nothing may change.
+  /// Called with a piece whose pattern misses the limits. Returns whether the form of the piece can
+  /// be changed so that its pattern keeps them. Such pieces are not divided, so seams are shorter.
+  /// A piece with more than 1.5 times trial_vertices is thinned to about trial_vertices first.
+  /// Called from several threads at once; the answer must depend on the piece alone. Empty: no
+  /// piece may change.
   std::function<bool(const Patch& piece, const Context& context)> can_change = {};
   /// Called with each division that is better than those before, from the calling thread; of a
   /// product of several parts once the others are divided. What it throws ends the search and is

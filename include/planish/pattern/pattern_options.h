@@ -79,8 +79,8 @@ struct PatternOptions {
 /// stay.
 PatternOptions for_mirror_image(PatternOptions options);
 
-/// The options of a piece for the mesh that is its mirror image, with the same vertices: what is
-/// told along the border, which runs the other way. A grain stays as it is told.
+/// The options of a piece for the mesh that is its mirror image, with the same vertices. Stretches
+/// of the border are reversed, as the border runs the other way there. The grain is not changed.
 PatternOptions on_mirrored_border(PatternOptions options);
 
 /// Those that a pattern can have: one that overlaps itself has no one outer side that an allowance

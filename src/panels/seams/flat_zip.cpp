@@ -233,8 +233,8 @@ bool joins_flat(const SeamState& state, const SeamRun& run) {
   return flat && !flat->pattern.overlaps;
 }
 
-/// Closes seams with a zip; where a piece then laps, a run that divides it is opened and held open,
-/// and seams are closed again; some times.
+/// Closes seams with a zip. If a pattern then overlaps itself, opens a run that divides the piece,
+/// holds it open, and closes seams again: at most k_repairs times.
 FlatState zipped(Zip zip, SeamState state, const std::vector<SeamChain>& chains, double piece_price,
                  OpenEdges held, ThreadPool& pool) {
   for (int round = 0;; ++round) {

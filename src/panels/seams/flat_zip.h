@@ -27,9 +27,10 @@ struct FlatState {
   bool lies_flat = false;  ///< no piece lies over itself
 };
 
-/// Closes seams as Zip does. Where a piece then laps, a run that divides it is opened and held
-/// open, and seams are closed again; some times. Where that does not help, seams are closed anew,
-/// and no two pieces are joined that would lap.
+/// Closes seams as Zip does. If a pattern then overlaps itself, opens a run that divides the piece,
+/// holds it open, and closes seams again, a few times. If some pattern still overlaps itself,
+/// starts anew and joins pieces only where a conformal map of both together does not overlap
+/// itself.
 /// @param held by edge: 1 for those that stay open
 /// @throws Cancelled
 FlatState zipped_flat(const SeamState& state, const std::vector<SeamChain>& chains, double limit,

@@ -136,6 +136,8 @@ TEST_F(Panels, HaveTheSeamsThatAreFixed) {
       {"flatten", "ball.obj", "--cut", "seams.obj", "-o", "flat", "--formats", "svg", "--json"});
   EXPECT_EQ(flat.json()["patches"].size(), json["pieces"].size()) << flat.err;
   EXPECT_EQ(run({"panels", "ball.obj", "--seams", "auto"}).exit_code, k_exit_usage);
+  EXPECT_THAT(run({"panels", "ball.obj", "--seams", "plane z=10"}).err,
+              HasSubstr("--seams: --cut plane z=10: the plane does not meet the mesh"));
 }
 
 TEST_F(Panels, AreFewerWhereTheFormMayChange) {

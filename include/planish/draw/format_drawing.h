@@ -54,7 +54,7 @@ Paper paper_named(std::string_view name);
 
 /// How a drawing is divided into pages to be joined.
 struct PageOptions {
-  Paper paper = {};
+  Paper paper = {};       ///< a named size or the maker's own
   double overlap = 10.0;  ///< of neighbours, millimetres
   /// A drawing that fits on one page with its label is that page alone, without a map.
   bool one_page = false;
@@ -77,10 +77,10 @@ std::string format_tiled_pdf(const Drawing& drawing, const PageOptions& options)
 /// @throws Error as format_tiled_pdf()
 std::size_t count_pages(const Drawing& drawing, const PageOptions& options);
 
-/// The room of pages in a row that are joined, across the row and along it: what one shows, and
-/// what each further one adds. Millimetres.
+/// The room of pages that are joined, across (x) and along (y), in millimetres.
 struct PageRoom {
-  Vec2 frame, step;
+  Vec2 frame;  ///< what one page shows
+  Vec2 step;   ///< what each further page adds
 };
 
 /// Of upright pages, or of those that lie across.

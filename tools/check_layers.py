@@ -71,7 +71,7 @@ FLOORS = {
         ["unfold/cuts"],
     ],
     "panels": [["panels/piece"], ["panels/cells"], ["panels/seams"], ["panels"]],
-    "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern", "pattern/nest"]],
+    "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern/allowance"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten/choices", "flatten/steps"], ["flatten"], ["flatten/product"]],
     "sheet": [["sheet/piece"], ["sheet"], ["sheet/carry"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],

@@ -78,13 +78,6 @@ PatternOptions on_mirrored_border(PatternOptions options) {
   return options;
 }
 
-PatternOptions possible_options(PatternOptions options, bool overlaps) {
-  if (!overlaps) return options;
-  options.allowance.reset();
-  options.kerf = 0.0;
-  return options;
-}
-
 void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
                            std::span<const std::vector<Index>> border, const std::string& name) {
   const std::string& piece = options.label.name.empty() ? name : options.label.name;

@@ -99,22 +99,44 @@ Json near_borders_of(const ProductReport& report) {
 
 }  // namespace
 
-LayoutReport layout_report(const NestJob& job, Nesting nesting) {
-  LayoutReport layout{.sheets = job.sheets, .nesting = std::move(nesting)};
-  for (const NestPatch& patch : job.patches) {
-    layout.names.push_back(patch.name);
-    if (patch.pattern.empty()) layout.left_out.push_back(patch.name);
+void add_layout(const std::string& material, const NestJob& job, const Nesting& nesting,
+                LayoutReport& layout) {
+  Nesting& all = layout.nesting;
+  if (layout.materials.empty()) layout.sheets = job.sheets;
+  layout.materials.push_back({material, job.sheets, all.sheets, nesting.sheets, nesting.used_length,
+                              nesting.used_share()});
+  for (NestPlacement placement : nesting.placements) {
+    placement.piece += layout.names.size();
+    placement.sheet += all.sheets;
+    all.placements.push_back(placement);
   }
-  return layout;
+  all.sheets += nesting.sheets;
+  all.used_length = nesting.used_length;
+  all.piece_area += nesting.piece_area;
+  all.sheet_area += nesting.sheet_area;
+  for (const NestPatch& patch : job.patches)
+    layout.names.push_back(patch.name);
+}
+
+Json materials_of(const std::vector<MaterialLayout>& materials) {
+  Json list = Json::array();
+  for (const MaterialLayout& some : materials) {
+    list.push_back({{"material", some.material},
+                    {"sheet_width", some.sheets.width},
+                    {"sheet_length", some.sheets.length},
+                    {"first_sheet", some.first + 1},
+                    {"sheets", some.count},
+                    {"used_length", some.used_length},
+                    {"used_share", some.used_share}});
+  }
+  return list;
 }
 
 void to_json(Json& json, const LayoutReport& layout) {
   const NestOptions& sheets = layout.sheets;
-  json = {{"sheet_width", sheets.width},
-          {"sheet_length", sheets.length},
-          {"gap", sheets.gap},
-          {"margin", sheets.margin},
-          {"turn", to_string(sheets.turns)}};
+  json = {{"sheet_width", sheets.width}, {"sheet_length", sheets.length},
+          {"gap", sheets.gap},           {"margin", sheets.margin},
+          {"folded", sheets.folded},     {"turn", to_string(sheets.turns)}};
   if (layout.failure) {
     json["error"] = *layout.failure;
     return;
@@ -122,6 +144,8 @@ void to_json(Json& json, const LayoutReport& layout) {
   json["sheets"] = layout.nesting.sheets;
   json["used_length"] = layout.nesting.used_length;
   json["used_share"] = layout.nesting.used_share();
+  json["waste"] = 1.0 - layout.nesting.used_share();
+  json["materials"] = materials_of(layout.materials);
   json["left_out"] = layout.left_out;
   json["files"] = layout.files;
   json["placements"] = placements_of(layout.nesting.placements, layout.names);

@@ -15,6 +15,7 @@
 #include "core/math.h"
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/free_strip.h"
+#include "pattern/polygon/polygon_rays.h"
 #include "sheet/piece/line_path.h"
 #include "sheet/piece/outline_paths.h"
 #include "sheet/piece/sheet_length.h"
@@ -72,12 +73,42 @@ Layer grain_layer(const std::vector<Polygon>& lines) {
   return layer;
 }
 
+/// Beside the fold of a half: a line inside the piece whose ends turn to the fold as arrows. Empty
+/// where there is no room.
+std::vector<Polygon> fold_bracket(const PatternGeometry& pattern) {
+  constexpr double k_least = 40.0, k_share = 0.15, k_inset = 10.0, k_head = 4.0, k_half_head = 1.5;
+  if (pattern.fold.empty() || pattern.options.fold->opened) return {};
+  const Vec2 way = pattern.fold.back() - pattern.fold.front();
+  const double length = norm(way);
+  if (length < k_least) return {};
+  const Vec2 along = 1.0 / length * way, left = {-along.y, along.x};
+  const Vec2 from = pattern.fold.front() + k_share * way, to = pattern.fold.back() - k_share * way;
+  const auto room_on = [&](Vec2 in) {
+    const auto& loops = pattern.outline.loops;
+    return is_within(loops, from + k_inset * in) && is_within(loops, to + k_inset * in) &&
+           is_within(loops, 0.5 * (from + to) + k_inset * in);
+  };
+  const Vec2 in = room_on(left) ? left : -1.0 * left;
+  if (!room_on(in)) return {};
+  std::vector<Polygon> lines = {{from, from + k_inset * in, to + k_inset * in, to}};
+  for (const Vec2 tip : {from, to}) {
+    const Vec2 base = tip + k_head * in;
+    lines.push_back({base - k_half_head * along, tip, base + k_half_head * along});
+  }
+  return lines;
+}
+
 Layer fold_layer(const PatternGeometry& pattern) {
   Layer layer{"fold", {}};
   if (pattern.fold.empty()) return layer;
   Path path{{pattern.fold}, false, k_fold};
   path.mark = FoldMark{pattern.fold.front(), pattern.fold.back(), pattern.options.fold->opened};
   layer.shapes.emplace_back(std::move(path));
+  std::vector<Polygon> bracket = fold_bracket(pattern);
+  if (bracket.empty()) return layer;
+  Path sign{std::move(bracket), false, Stroke{sheet::k_fold_color, 0.35}};
+  sign.mark = SignMark{};
+  layer.shapes.emplace_back(std::move(sign));
   return layer;
 }
 
@@ -157,6 +188,8 @@ std::vector<Polygon> free_loops(const PatternGeometry& pattern) {
   for (const Polygon& line : pattern.inner_lines)
     loops.push_back(there_and_back(line));
   if (pattern.options.fold && pattern.options.fold->opened) loops.push_back(pattern.fold);
+  for (const Polygon& line : fold_bracket(pattern))
+    loops.push_back(there_and_back(line));
   for (const PlacedNotch& notch : pattern.notches) {
     for (const Polygon& stroke : notch.strokes)
       loops.push_back(there_and_back(stroke));

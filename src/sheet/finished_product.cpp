@@ -77,10 +77,12 @@ std::vector<NestPatch> patches_to_cut(std::span<const ProductPatch> patches,
     own.notches.insert(own.notches.end(), notches[p].begin(), notches[p].end());
     std::vector<Vec2> pattern;
     if (result.finished) {
-      own = possible_options(std::move(own), result.finished->unfold.pattern.overlaps);
+      own.overlaps = result.finished->unfold.pattern.overlaps;
       pattern = result.finished->unfold.pattern.positions;
     }
-    to_cut.push_back({names[p], std::move(meshes[p]), std::move(pattern), std::move(own)});
+    NestPatch& patch = to_cut.emplace_back(
+        NestPatch{names[p], std::move(meshes[p]), std::move(pattern), std::move(own)});
+    if (is_mirror_image(result)) patch.mirror_image_of = report.twins[p]->patch;
   }
   return to_cut;
 }

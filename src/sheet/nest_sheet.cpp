@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include <planish/core/error.h>
 #include <planish/sheet/nest_sheet.h>
 
 #include "core/figure_text.h"
@@ -65,6 +67,8 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
   const std::string used = sheet_length(nesting.used_length, unit, 1);
   const std::string share = decimals_text(100.0 * nesting.used_share(), 1) + " % in pieces";
   const std::string width = sheet_length(sheets.width, unit, 1);
+  if (sheets.folded)
+    return "folded cloth, " + width + " wide as it lies, " + used + " used, " + share;
   if (!sheets.length) return "roll of width " + width + ", " + used + " used, " + share;
   return "sheets " + width + " wide and " + sheet_length(*sheets.length, unit, 1) +
          " long, of the last " + used + " used, " + share;
@@ -161,6 +165,30 @@ PatternGeometry pattern_geometry(const NestPatch& patch, Unit unit) {
   return annotated(std::move(pattern), patch.mesh);
 }
 
+namespace {
+
+double degrees_to_x(Vec2 direction) {
+  return -180.0 / std::numbers::pi * math::atan2(direction.y, direction.x);
+}
+
+/// The turn that lays the fold of a half along the sheet.
+/// @param angle that lays its grain so, where it has one
+double fold_angle(const PatternGeometry& pattern, std::optional<double> angle) {
+  constexpr double k_most = 5.0;  // degrees between the grain and the fold
+  const EdgeAllowance stretch = fold_stretch(pattern.outline, *pattern.options.fold);
+  const double own = degrees_to_x(pattern.positions[stretch.to] - pattern.positions[stretch.from]);
+  if (!angle) return own;
+  const double between = std::abs(std::remainder(own - *angle, 180.0));
+  if (between <= k_most) return own;
+  throw Error(ErrorCode::misplaced_allowance,
+              "piece \"" + pattern.name + "\": its grain and its fold are " +
+                  decimals_text(between, 1) +
+                  " degrees apart, but on folded cloth both lie along its length; lay it on cloth "
+                  "that is not folded, or give another grain");
+}
+
+}  // namespace
+
 std::vector<NestPiece> nest_pieces(const NestJob& job) {
   std::vector<NestPiece> result;
   result.reserve(job.patches.size());
@@ -171,10 +199,12 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
     some.quantity = patch.pattern.empty() ? 0 : copies_of(patch);
     if (patch.pattern.empty()) continue;
     PatternGeometry pattern = pattern_of(job, patch);
-    if (patch.annotations.grain) {
-      const Vec2 grain = grain_on_sheet(*patch.annotations.grain, patch.mesh, pattern);
-      some.angle = -180.0 / std::numbers::pi * math::atan2(grain.y, grain.x);
-    }
+    std::optional<double> along_grain;
+    if (patch.annotations.grain)
+      along_grain = degrees_to_x(grain_on_sheet(*patch.annotations.grain, patch.mesh, pattern));
+    some.angle = along_grain.value_or(0.0);
+    if (job.sheets.folded && patch.annotations.is_half())
+      some.fold = fold_angle(pattern, along_grain);
     some.outline.loops = std::move(pattern.cut);
   }
   return result;

@@ -7,6 +7,7 @@
 
 #include <planish/core/error.h>
 #include <planish/sheet/nest_sheet.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "core/math.h"
 #include "pattern/polygon/border_walk.h"
@@ -133,6 +134,12 @@ class FoldedHalf {
     }
     for (const EdgeAllowance& edge : edges) {
       if (edge.is_hem) add_hem(edge, opened);
+      if (!edge.takes_darts) continue;
+      opened.push_back(edge);
+      EdgeAllowance other = edge;
+      other.from = image(edge.to);
+      other.to = image(edge.from);
+      opened.push_back(other);
     }
     return opened;
   }
@@ -198,7 +205,8 @@ class FoldedHalf {
     for (const Notch& notch : own.notches)
       add_notch(notch, notches);
     own.notches = std::move(notches);
-    for (const EdgeAllowance& edge : allowances_of_edges(half_.outline, own.edges))
+    const double usual = own.allowance ? own.allowance->width : 0.0;
+    for (const EdgeAllowance& edge : allowances_of_edges(half_.outline, own.edges, usual))
       own.edge_allowances.push_back(edge);
     own.edges.clear();
     own.edge_allowances = opened_allowances(own.edge_allowances);
@@ -228,6 +236,19 @@ std::vector<NestPatch> with_folds_opened(std::vector<NestPatch> patches, Unit un
       patch = FoldedHalf(patch, unit).opened();
   }
   return patches;
+}
+
+Drawing sheet_to_cut(const TriMesh& mesh, const UnfoldReport& unfold,
+                     const PatternGeometry& pattern) {
+  const PatternOptions& options = pattern.options;
+  if (!options.is_half() || !options.open_fold) return pattern_sheet(mesh, unfold, pattern);
+  const NestPatch half{pattern.name, mesh, unfold.pattern.positions, options};
+  NestPatch whole = FoldedHalf(half, unfold.unit).opened();
+  UnfoldReport of_whole = unfold;
+  of_whole.pattern.positions = std::move(whole.pattern);
+  return pattern_sheet(
+      whole.mesh, of_whole,
+      pattern_geometry(whole.mesh, of_whole, pattern.name, std::move(whole.annotations)));
 }
 
 }  // namespace planish

@@ -36,7 +36,7 @@ PatternGeometry put_on_sheet(PatternGeometry pattern) {
 
 PatternGeometry pattern_geometry(const TriMesh& mesh, const UnfoldReport& unfold,
                                  const std::string& name, PatternOptions options) {
-  options = possible_options(std::move(options), unfold.pattern.overlaps);
+  options.overlaps = unfold.pattern.overlaps;
   const std::string piece = options.label.name.empty() ? name : options.label.name;
   PatternGeometry pattern =
       placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, std::move(options));

@@ -206,6 +206,52 @@ TEST_F(ProductNest, LaysCopiesOfASinglePatch) {
   EXPECT_EQ(lay_out("panel.obj", {"--sheet", "1mm"}).exit_code, k_exit_failed);
 }
 
+TEST_F(ProductNest, LaysEachMaterialOnSheetsOfItsOwn) {
+  const CliResult result =
+      lay_out("coat", {"--product", "--sheet", "600", "--sheet", "wool=400mm", "--piece",
+                       "back:fabric=wool", "--piece", "front:fabric=silk/satin", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto nesting = result.json()["nesting"];
+  EXPECT_THAT(nesting["files"],
+              ElementsAre("out/layout-wool.svg", "out/layout-wool.dxf", "out/layout-silk_satin.svg",
+                          "out/layout-silk_satin.dxf"));
+  ASSERT_EQ(nesting["materials"].size(), 2U);
+  EXPECT_EQ(nesting["materials"][0]["material"], "wool");
+  EXPECT_EQ(nesting["materials"][0]["sheet_width"], 400.0);
+  EXPECT_EQ(nesting["materials"][1]["sheet_width"], 600.0);
+  EXPECT_EQ(nesting["placements"][1]["sheet"], 2);
+  EXPECT_EQ(lines_in_dxf("out/layout-wool.dxf", "cut").size(), 1U);
+  EXPECT_NEAR(nesting["waste"].get<double>() + nesting["used_share"].get<double>(), 1.0, 1e-12);
+  const std::string page = content_of("out/garment.html");
+  EXPECT_NE(page.find("ool on a roll of width 400.0 mm"), std::string::npos);
+}
+
+TEST_F(ProductNest, NamesAMaterialThatNoPieceHas) {
+  const CliResult result =
+      lay_out("coat", {"--product", "--sheet", "600,whool=400mm", "--piece", "back:fabric=wool"});
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("no piece is of \"whool\""));
+  EXPECT_THAT(result.err, HasSubstr("wool"));
+  EXPECT_THAT(
+      lay_out("coat", {"--product", "--sheet", "wool=400mm", "--piece", "back:fabric=wool"}).err,
+      HasSubstr("no size for pieces without a material"));
+  EXPECT_EQ(lay_out("coat", {"--sheet", "600,700"}).exit_code, k_exit_usage);
+}
+
+TEST_F(ProductNest, LaysPairsOnFoldedCloth) {
+  const CliResult result =
+      lay_out("coat", {"--product", "--sheet", "1000mm", "--folded-cloth", "--quantity", "2",
+                       "--piece", "front:mirrored=1", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto nesting = result.json()["nesting"];
+  EXPECT_EQ(nesting["folded"], true);
+  EXPECT_EQ(nesting["sheet_width"], 500.0);
+  EXPECT_EQ(nesting["placements"].size(), 3U) << "back twice, front once for a pair";
+  EXPECT_THAT(result.err, HasSubstr("back: cut 2 copies from one layer of the folded cloth alone"));
+  EXPECT_EQ(lay_out("coat", {"--sheet", "1mx1m", "--folded-cloth"}).exit_code, k_exit_usage);
+  EXPECT_EQ(lay_out("coat", {"--folded-cloth"}).exit_code, k_exit_usage);
+}
+
 TEST_F(ProductNest, RefusesFlagsThatMakeNoSense) {
   const auto exit_code = [](const Names& flags) { return lay_out("coat", flags).exit_code; };
   EXPECT_EQ(exit_code({"--turn", "none"}), k_exit_usage);

@@ -148,7 +148,8 @@ ProductJob product_job(FlattenRequest request, ProductInput input,
 }
 
 PatternPlan plan_of(const PatternFiles& pattern, Unit unit, const NestRequest* nest) {
-  return {unit, pattern.output, pattern.annotations, nest ? &nest->sheets : nullptr};
+  return {unit, pattern.output, pattern.annotations,
+          nest ? &nest->sheets.of(pattern.annotations.label.fabric) : nullptr};
 }
 
 /// Of a patch, and of a product file.
@@ -228,9 +229,8 @@ CommandResult flatten_one(FlattenRequest request, ProductInput read,
                           request.folder, name, session);
     });
     layout = nesting->layout;
-    request.words.sheet = {
-        true, nesting->material,
-        nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
+    request.words.sheet = nesting->layouts.front();
+    request.words.sheet.use += "; drawn in " + utf8_of(nesting->files.front().path.filename());
   }
   const std::string json = json_report(report, paths, figures_of_cut(cut), layout);
   std::vector<OutputFile> files = about(

@@ -62,7 +62,7 @@ Written written_as(const std::string& path, const std::string& name, const Patch
   const TriMesh& mesh = patch.mesh();
   if (!format) return {format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path_of(path)))};
   PatternGeometry pattern = pattern_geometry(mesh, report, name, annotations);
-  Drawing sheet = pattern_sheet(mesh, report, pattern);
+  Drawing sheet = sheet_to_cut(mesh, report, pattern);
   std::string content =
       output.pages ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
   return {std::move(content), std::move(pattern), std::move(sheet)};

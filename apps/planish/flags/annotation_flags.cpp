@@ -178,6 +178,7 @@ FlagGroup annotation_flags() {
        {"--fold", "V,W",
         "vertices at the ends of a straight stretch of the border: the piece is cut on the fold "
         "there, without an allowance"},
+       {"--open-folds", "", "draw the whole of a piece with a fold, not its half"},
        {"--notches", "FILE",
         "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an "
         ".obj "
@@ -247,6 +248,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
                                   {.min = 0.0, .max = 1e6}, arguments);
   options.notch_sizes = notch_sizes_from(arguments, options.allowance);
   options.fold = fold_from(arguments);
+  options.open_fold = arguments.has("--open-folds");
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.text("--date");

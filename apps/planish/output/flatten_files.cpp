@@ -82,8 +82,10 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
 
 DrawnPattern drawn_pattern(const FlattenReport& report, const PatternOptions& annotations) {
   PatternGeometry geometry = pattern_geometry(report, annotations);
-  Drawing sheet = pattern_sheet(report.processed.mesh(), report.unfold, geometry);
-  return {std::move(geometry), std::move(sheet)};
+  const TriMesh& mesh = report.processed.mesh();
+  Drawing sheet = pattern_sheet(mesh, report.unfold, geometry);
+  Drawing to_cut = sheet_to_cut(mesh, report.unfold, geometry);
+  return {std::move(geometry), std::move(sheet), std::move(to_cut)};
 }
 
 WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
@@ -126,7 +128,7 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern
                                  const PatternFiles& pattern, const ReportPageOptions& words,
                                  const std::string& json) {
   const TriMesh& mesh = report.processed.mesh();
-  std::vector<OutputFile> files = pattern_files(report, drawn.sheet, paths, pattern);
+  std::vector<OutputFile> files = pattern_files(report, drawn.to_cut, paths, pattern);
   files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
   files.push_back(
       {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});

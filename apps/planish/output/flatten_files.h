@@ -45,7 +45,8 @@ std::string role_of(const std::string& pattern, PatternFormat format);
 /// The pattern of a result as it is drawn.
 struct DrawnPattern {
   PatternGeometry geometry;
-  Drawing sheet;
+  Drawing sheet;   ///< for the page
+  Drawing to_cut;  ///< for the files of the pattern, as sheet_to_cut()
 };
 
 /// @param annotations by the vertices of the patch that was flattened

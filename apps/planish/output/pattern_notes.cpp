@@ -212,7 +212,7 @@ void warn_of_pattern(Session& session, const UnfoldReport& report, bool is_unit_
   const Pattern& pattern = report.pattern;
   if (pattern.overlaps) {
     session.warn("the pattern overlaps itself" + overlap_text(report) +
-                 ", and gets no seam allowance: cut the patch open before cutting material");
+                 ": cut the patch open before cutting material");
   }
   if (pattern.opened) session.note(opened_text(report));
   if (pattern.holes) session.note(holes_text(*pattern.holes, report.unit));

@@ -35,7 +35,7 @@ std::vector<std::string> flag_keys() {
 const std::vector<std::string>& piece_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> all = flag_keys();
-    all.insert(all.end(), {"turn", "material", "name", "out"});
+    all.insert(all.end(), {"darts", "turn", "material", "name", "out"});
     return all;
   }();
   return keys;
@@ -56,13 +56,13 @@ bool is_edge_key(std::string_view key) {
   const auto begins = [&](std::string_view start) {
     return key.starts_with(start) && key.size() > start.size();
   };
-  return begins(k_allowance_of) || begins(k_hem_of) || begins(k_edge);
+  return begins(k_allowance_of) || begins(k_hem_of) || begins(k_ends_of) || begins(k_edge);
 }
 
 void check_piece_key(const std::string& key, const std::string& where) {
   if (is_edge_key(key) || has_name(piece_keys(), key)) return;
   std::vector<std::string> known = piece_keys();
-  known.insert(known.end(), {"allowance.N", "hem.N", "edge.N"});
+  known.insert(known.end(), {"allowance.N", "hem.N", "ends.N", "edge.N"});
   throw UsageError(where + ": no setting is called \"" + key + "\"" + nearest_hint(key, known) +
                    " (there are " + list_of(known) + ")");
 }

@@ -6,13 +6,13 @@
 
 namespace planish::cli {
 
-/// Before the number or the name of an edge, as "allowance.2" and "hem.2"; "edge.2" gives it its
-/// name.
+/// Before the number or the name of an edge, as "allowance.2", "hem.2" and "ends.2"; "edge.2" gives
+/// it its name.
 inline constexpr std::string_view k_allowance_of = "allowance.", k_hem_of = "hem.",
-                                  k_edge = "edge.";
+                                  k_ends_of = "ends.", k_edge = "edge.";
 
 /// Keys that settings of a piece have: names of flags without dashes, and "name", "material",
-/// "turn", "out".
+/// "turn", "darts", "out".
 const std::vector<std::string>& piece_keys();
 
 /// Whether the key is a flag of annotation_flags() that a piece may have for itself.

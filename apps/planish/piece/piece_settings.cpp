@@ -150,6 +150,14 @@ std::vector<PatternEdge> edges_of(const OwnSettings& own, const Arguments& argum
                         : millimetres_per(unit_from(arguments)) *
                               quantity_value(key, value, Quantity::length, {.min = 0.0}, arguments);
   }
+  for (const auto& [key, value] : own.values) {
+    if (!key.starts_with(k_ends_of)) continue;
+    const std::vector<std::string> kinds = {"mirrored", "none"};
+    const bool is_mirrored = known_name("way to end allowances", value, kinds) == kinds.front();
+    edge_called(key.substr(k_ends_of.size()), key, edges).mirrors_ends = is_mirrored;
+  }
+  const std::string* darts = own.find("darts");
+  if (darts != nullptr && *darts != "none") edge_called(*darts, "darts", edges).takes_darts = true;
   return edges;
 }
 
@@ -179,10 +187,13 @@ Arguments arguments_for(const OwnSettings& own, const Arguments& all) {
 void refuse_contradictions(const OwnSettings& own, const PieceRequest& request, bool is_image) {
   const auto has = [&](const char* key) { return own.find(key) != nullptr; };
   const bool has_widths = std::any_of(own.values.begin(), own.values.end(), [](const auto& some) {
-    return some.first.starts_with(k_allowance_of);
+    return some.first.starts_with(k_allowance_of) || some.first.starts_with(k_ends_of);
   });
   if (has_widths && !request.annotations.allowance)
     throw UsageError("an edge has an allowance and the piece has none: give the piece one too");
+  if (has("darts") && !request.annotations.allowance)
+    throw UsageError(
+        "darts are folded where the piece has an allowance: give it one, as allowance=10mm");
   if (is_image && has("mirrored"))
     throw UsageError("\"mirrored\" is true in the product file: half of the pieces are mirrored");
 }
@@ -238,14 +249,15 @@ PieceRequest request_for(ProductPatch& patch, const OwnSettings& own, const Patt
 }  // namespace
 
 Flag piece_flag() {
-  return {k_flag,
-          "NAME:KEY=VALUE",
-          "a setting of one piece instead of the flag: front:allowance=12mm; keys: " +
-              list_of(piece_keys()) +
-              ", allowance.N or hem.N of edge N and its name edge.N; none: without that flag",
-          0,
-          false,
-          {.repeats = true}};
+  return {
+      k_flag,
+      "NAME:KEY=VALUE",
+      "a setting of one piece instead of the flag: front:allowance=12mm; keys: " +
+          list_of(piece_keys()) +
+          ", allowance.N, hem.N or ends.N of edge N and its name edge.N; none: without that flag",
+      0,
+      false,
+      {.repeats = true}};
 }
 
 std::vector<NamedSettings> piece_settings_from(const Arguments& arguments) {

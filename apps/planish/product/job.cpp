@@ -194,7 +194,7 @@ class ProductRun {
     ProductPage page{.name = stem_of(job_.path)};
     if (nesting) {
       page.sheets = nesting->sheets;
-      page.on_sheets = nesting->material + ": " + nesting->use;
+      page.on_sheets = words_of(nesting->layouts);
     }
     for (const PatchPlace& place : job_.places)
       page.reports.push_back(place.folder + "/report.html");
@@ -241,7 +241,7 @@ class ProductRun {
   ProductPages on_pages() const {
     if (!job_.output.pages || job_.is_batch) return {};
     return product_pages(patches_with_notches(), report_.unit,
-                         job_.nest ? &job_.nest->sheets : nullptr, job_.output, job_.folder,
+                         job_.nest ? &job_.nest->sheets.any() : nullptr, job_.output, job_.folder,
                          stem_of(job_.path), session_);
   }
 

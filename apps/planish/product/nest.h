@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,9 +20,20 @@ namespace planish::cli {
 /// All ways in which pieces may be turned, the usual one first.
 inline constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns::free};
 
+/// The sheets that pieces are cut from. All have the same gap, margin and turns.
+struct SheetSizes {
+  std::optional<NestOptions> usual = {};           ///< for all other materials
+  std::map<std::string, NestOptions> of_material;  ///< by the material's name
+
+  /// @throws Error unknown_name where there are none for the material
+  const NestOptions& of(const std::string& material) const;
+  /// What holds for all of them.
+  const NestOptions& any() const { return usual ? *usual : of_material.begin()->second; }
+};
+
 /// How patches are laid on sheets, and how that is written.
 struct NestRequest {
-  NestOptions sheets;
+  SheetSizes sheets;
   std::vector<PatternFormat> formats;
   PatternOutput output;
 };
@@ -31,31 +43,33 @@ FlagGroup nest_flags();
 
 /// What the flags ask for; nothing without --sheet.
 /// @throws UsageError, Error option_out_of_range
-std::optional<NestOptions> sheets_from(const Arguments& arguments);
+std::optional<SheetSizes> sheets_from(const Arguments& arguments);
 
-/// What came of laying patches on sheets.
-struct NestOutcome {
-  std::vector<Drawing> sheets;    ///< a drawing of each
-  std::vector<OutputFile> files;  ///< of these, in every format
-  LayoutReport layout;            ///< or why there is none
-  std::string text;               ///< as people read it
-  std::string material = {};      ///< what the pieces are laid on, in words
-  std::string use = {};           ///< how much of it they take
-};
-
-/// Whether one patch alone fits on a sheet, in words.
+/// Whether patches fit on sheets of one material, in words.
 struct SheetFit {
   bool fits = false;
   std::string material;  ///< what it is laid on
-  std::string use;       ///< how much of it that takes, or why it does not fit
+  std::string use;       ///< how much of it they take, or why they do not fit
 };
 
-/// From any thread. Without a material where it cannot be told: laying all patches then tells why.
-SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets);
+/// What came of laying patches on sheets.
+struct NestOutcome {
+  std::vector<Drawing> sheets;         ///< a drawing of each
+  std::vector<OutputFile> files;       ///< of these, in every format
+  LayoutReport layout;                 ///< or why there is none
+  std::string text;                    ///< as people read it
+  std::vector<SheetFit> layouts = {};  ///< of each material
+};
 
-/// Lays patches on sheets.
+/// In one sentence.
+std::string words_of(const std::vector<SheetFit>& layouts);
+
+/// From any thread. Without a material where it cannot be told: laying all patches then tells why.
+SheetFit fit_alone(NestPatch patch, Unit unit, const SheetSizes& sheets);
+
+/// Lays patches on sheets, those of each material on sheets of their own.
 /// @param folder of the drawings
-/// @throws Cancelled; Error as nest(), nest_pieces() and nest_sheet()
+/// @throws Cancelled; Error as nest(), nest_pieces(), nest_sheet() and SheetSizes::of()
 NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session);

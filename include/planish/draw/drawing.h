@@ -45,9 +45,13 @@ struct FoldMark {
   bool opened = false;  ///< the piece is drawn whole, not its half
 };
 
+/// The strokes of a path are for people, as the bracket beside a fold. Formats that have entities
+/// for the others leave it out.
+struct SignMark {};
+
 /// What a path stands for. Formats that have an entity for it write that; in all others its strokes
 /// are drawn.
-using PieceMark = std::variant<std::monostate, NotchMark, DrillMark, GrainMark, FoldMark>;
+using PieceMark = std::variant<std::monostate, NotchMark, DrillMark, GrainMark, FoldMark, SignMark>;
 
 /// One or more polylines as one thing: an outline, or with a fill the area inside them (even-odd).
 struct Path {

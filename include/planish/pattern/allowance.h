@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,14 @@ enum class Corners {
 /// "mitre", "square" or "round".
 std::string_view to_string(Corners corners);
 
+/// A dart that is sewn and folded to one side, and so not cut out: two edges of the outline that
+/// meet at its tip. Points of a loop, in the order of the border.
+struct FoldedDart {
+  std::size_t loop = 0;
+  std::size_t from = 0, tip = 0, to = 0;
+  bool toward_to = false;  ///< folded over the piece behind `to`, else over that before `from`
+};
+
 /// Material to be left beyond the outline of a piece.
 struct Allowance {
   double width = 10.0;               ///< millimetres
@@ -26,6 +35,7 @@ struct Allowance {
   /// How far from the outline's corner a mitre may reach, in widths; sharper ones are squared.
   double mitre_limit = 2.5;
   bool holes = true;  ///< holes get it too and so become smaller
+  bool laps = false;  ///< the outline may cross itself: the line goes around both layers then
   /// Where not empty, the width of each edge in millimetres, instead of `width`: by loop, and by
   /// the edge's first point. 0 for edges without, as along a fold.
   std::vector<std::vector<double>> edge_widths = {};
@@ -35,6 +45,9 @@ struct Allowance {
   /// Where not empty, the number of the hem that each edge is in, 0 for none. What a hem adds is
   /// the mirror image of the piece, with its other allowances, in the hem's line.
   std::vector<std::vector<int>> hems = {};
+  /// Darts whose cloth stays in the piece, shaped so that its edge lies on that of the piece when
+  /// the dart is folded. They need `edge_widths` and `folds`.
+  std::vector<FoldedDart> darts = {};
 };
 
 /// The outline of a piece with its allowance: the border of all that is no farther from the piece
@@ -53,10 +66,11 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
 /// The allowance of a stretch of the border: from a vertex on, the piece on the left, to another
 /// one; all around where both are the same.
 struct EdgeAllowance {
-  Index from = 0, to = 0;  ///< vertex at which the stretch begins or ends
-  double width = 0.0;      ///< millimetres; 0 for none, as along a fold
-  bool is_fold = false;    ///< whether it is one
-  bool is_hem = false;     ///< folded over at the edge's line, as Allowance::hems has it
+  Index from = 0, to = 0;    ///< vertex at which the stretch begins or ends
+  double width = 0.0;        ///< millimetres; 0 for none, as along a fold
+  bool is_fold = false;      ///< whether it is one
+  bool is_hem = false;       ///< folded over at the edge's line, as Allowance::hems has it
+  bool takes_darts = false;  ///< darts are folded toward it; its own allowance stays
 };
 
 /// Checks that the ends are on one loop of the border, which needs no pattern.
@@ -88,6 +102,10 @@ struct PatternEdge {
   std::string name = {};                 ///< as "hem"; empty: none but its number
   std::optional<double> allowance = {};  ///< millimetres; none: that of the piece
   bool is_hem = false;                   ///< its allowance is folded over at its line
+  bool takes_darts = false;              ///< darts are folded toward it
+  /// Its allowance ends at either end as the mirror image of what is beside it there, so that it
+  /// lies on the piece when the seam is pressed open.
+  bool mirrors_ends = false;
   bool clockwise = false;  ///< the outline is the mirror image of the one that has the number
 
   /// For people: its name, else as "edge 2".
@@ -96,9 +114,10 @@ struct PatternEdge {
 
 /// The allowances that edges ask for, by vertices.
 /// @param outline with vertices
+/// @param usual width of the piece's allowance, millimetres
 /// @throws Error misplaced_allowance for a number that no edge has
 std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
-                                               std::span<const PatternEdge> edges);
+                                               std::span<const PatternEdge> edges, double usual);
 
 /// What each edge of the outline is called: its name, or as "edge 2".
 /// @param outline with vertices

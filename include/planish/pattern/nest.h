@@ -28,6 +28,9 @@ struct NestPiece {
   /// Degrees, counter-clockwise, that bring the grain along the length of the sheet.
   double angle = 0.0;
   std::optional<Turns> turns = {};  ///< none: those of NestOptions
+  /// Of half a piece on folded cloth: degrees, counter-clockwise, that bring its fold along the
+  /// sheet, with the piece above it. It lies so, on the sheet's edge at y = 0.
+  std::optional<double> fold = {};
 };
 
 /// The sheets, in millimetres: a sheet's length is along x, its width along y.
@@ -36,7 +39,10 @@ struct NestOptions {
   std::optional<double> length = {};  ///< of each sheet; without, one roll of any length
   double gap = 5.0;                   ///< that is left between any two pieces
   double margin = 0.0;                ///< that is left free along every edge of a sheet
-  Turns turns = Turns::half;          ///< of every piece that has none of its own
+  /// The cloth is folded along y = 0, where no margin is left; the width is that of the folded
+  /// cloth.
+  bool folded = false;
+  Turns turns = Turns::half;  ///< of every piece that has none of its own
   /// Places along the length are multiples of it: finer is tighter and slower. 0: chosen by the
   /// sizes of the pieces.
   double step = 0.0;

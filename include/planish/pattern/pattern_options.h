@@ -49,20 +49,23 @@ struct PatternOptions {
   std::vector<EdgeAllowance> edge_allowances = {};  ///< where it is another; idle without allowance
   std::vector<PatternEdge> edges = {};              ///< names, and allowances by number
   double kerf = 0.0;                                ///< that the machine cuts away, millimetres
-  Unit sheet_unit = Unit::mm;                       ///< of lengths that are written on the sheet
-  std::optional<FoldLine> fold = {};                ///< none: the piece is drawn whole
-  std::vector<Notch> notches = {};                  ///< on the border
-  NotchSizes notch_sizes = {};                      ///< of all notches
-  std::optional<Grain> grain = {};                  ///< none: no grain line is drawn
-  std::vector<Mark> marks = {};                     ///< at vertices
-  std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
-  std::vector<SurfaceLine> drawn_lines = {};        ///< inner lines from place to place
-  std::vector<SeamNumber> seam_numbers = {};        ///< of a product's seams
-  PieceLabel label = {};                            ///< written inside the piece
-  bool edge_lengths = false;  ///< written along the outline, from corner to corner
-  LineFit curves = {};        ///< how near curves stay to lines; tolerance 0: no curves
-  std::string date = {};      ///< for the sheet's label; never taken from a clock
-  double model_scale = 1.0;   ///< for the label: what the model was multiplied with
+  bool overlaps = false;  ///< whether the pattern overlaps itself: its cut line goes around both
+                          ///< layers, or where much of it does it has neither allowance nor kerf
+  Unit sheet_unit = Unit::mm;         ///< of lengths that are written on the sheet
+  std::optional<FoldLine> fold = {};  ///< none: the piece is drawn whole
+  bool open_fold = false;             ///< sheet_to_cut() draws the whole of a piece that has a fold
+  std::vector<Notch> notches = {};    ///< on the border
+  NotchSizes notch_sizes = {};        ///< of all notches
+  std::optional<Grain> grain = {};    ///< none: no grain line is drawn
+  std::vector<Mark> marks = {};       ///< at vertices
+  std::vector<InnerLine> inner_lines = {};    ///< from vertex to vertex
+  std::vector<SurfaceLine> drawn_lines = {};  ///< inner lines from place to place
+  std::vector<SeamNumber> seam_numbers = {};  ///< of a product's seams
+  PieceLabel label = {};                      ///< written inside the piece
+  bool edge_lengths = false;                  ///< written along the outline, from corner to corner
+  LineFit curves = {};       ///< how near curves stay to lines; tolerance 0: no curves
+  std::string date = {};     ///< for the sheet's label; never taken from a clock
+  double model_scale = 1.0;  ///< for the label: what the model was multiplied with
   /// For the label: how far a place of the surface is from its design at most, model units.
   std::optional<double> moved = {};
   std::string form_faults = {};  ///< for the label: as "is lost", of the form; empty: none
@@ -82,10 +85,6 @@ PatternOptions for_mirror_image(PatternOptions options);
 /// The options of a piece for the mesh that is its mirror image, with the same vertices. Stretches
 /// of the border are reversed, as the border runs the other way there. The grain is not changed.
 PatternOptions on_mirrored_border(PatternOptions options);
-
-/// Those that a pattern can have: one that overlaps itself has no one outer side that an allowance
-/// could be laid on.
-PatternOptions possible_options(PatternOptions options, bool overlaps);
 
 /// Checks what can be known before there is a pattern: that notches and the ends of allowances are
 /// on the border of the mesh and marks at vertices of it.

@@ -29,9 +29,20 @@ struct MoreFigures {
 /// Role -> path of what was written.
 using WrittenFiles = std::map<std::string, std::string>;
 
+/// The sheets of one material.
+struct MaterialLayout {
+  std::string material = {};  ///< empty for pieces without one
+  NestOptions sheets = {};    ///< their size
+  std::size_t first = 0;      ///< number of the first of them, from 0
+  std::size_t count = 0;      ///< how many
+  double used_length = 0.0;   ///< of the last of them, millimetres
+  double used_share = 0.0;    ///< share of their area that ends up in pieces
+};
+
 /// Where patches were laid on sheets, or why they could not be.
 struct LayoutReport {
-  NestOptions sheets = {};                 ///< what was asked for
+  NestOptions sheets = {};                 ///< what was asked for; of several the first
+  std::vector<MaterialLayout> materials;   ///< in the order of the sheets
   std::vector<std::string> names = {};     ///< of the patches, by their numbers
   std::vector<std::string> left_out = {};  ///< those without a pattern
   Nesting nesting = {};                    ///< where the pieces lie
@@ -39,8 +50,9 @@ struct LayoutReport {
   std::optional<Failure> failure = {};     ///< then all above but the sheets is not known
 };
 
-/// The names in a job and how its pieces were laid; no files yet.
-LayoutReport layout_report(const NestJob& job, Nesting nesting);
+/// Adds the names in a job and how its pieces were laid, on sheets behind those that are there.
+void add_layout(const std::string& material, const NestJob& job, const Nesting& nesting,
+                LayoutReport& layout);
 
 /// What was written of a product.
 struct ProductFiles {

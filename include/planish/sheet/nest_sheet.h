@@ -25,6 +25,7 @@ struct NestPatch {
   PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once;
                                     ///< none of these is mirrored
   std::optional<Turns> turns = {};  ///< as NestPiece has them
+  std::optional<std::size_t> mirror_image_of = {};  ///< number of the patch that it mirrors
 };
 
 /// The patches, those with a fold opened out to the whole: the half and its mirror image in the
@@ -35,6 +36,22 @@ std::vector<NestPatch> with_folds_opened(std::vector<NestPatch> patches, Unit un
 /// The patches, and behind each one the mirror image of it that its label asks for, which is a
 /// patch by itself.
 std::vector<NestPatch> with_mirror_images(std::vector<NestPatch> patches);
+
+/// Patches for cloth that lies double.
+struct DoubleCloth {
+  /// Of which more, or fewer, are mirror images than are not.
+  struct Single {
+    std::string name;  ///< of the patch
+    int copies = 0;    ///< that are cut from one of the two layers alone
+  };
+  std::vector<NestPatch> patches;
+  std::vector<Single> single = {};
+};
+
+/// The patches as they are laid on cloth that is folded along its length: each copy gives a piece
+/// and its mirror image, a half with its fold on that of the cloth one whole piece. Mirror images
+/// are left out.
+DoubleCloth on_double_cloth(std::vector<NestPatch> patches);
 
 /// Patches, and the sheets to cut them from.
 struct NestJob {
@@ -60,8 +77,10 @@ std::vector<NestPatch> patches_to_cut(std::span<const ProductPatch> patches,
 PatternGeometry pattern_geometry(const NestPatch& patch, Unit unit);
 
 /// The patches by their numbers as nest() takes them: what is cut, with its allowance, and the turn
-/// that lays the grain along the length of the sheet; without a grain the pattern's x axis.
-/// @throws Error as offset_outline() and grain_direction()
+/// that lays the grain along the length of the sheet; without a grain the pattern's x axis. On
+/// folded cloth the fold of a half lies on that of the cloth.
+/// @throws Error as offset_outline() and grain_direction(); misplaced_allowance on folded cloth for
+///   a grain that does not run along the fold of its half
 std::vector<NestPiece> nest_pieces(const NestJob& job);
 
 /// One sheet with its pieces as they are laid on it, at true size: (0, 0) is a corner of the sheet

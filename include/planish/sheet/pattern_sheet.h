@@ -28,7 +28,7 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// piece's own label) as the options ask, "hole" and "cut" (the outlines of holes and of the piece,
 /// or with an allowance the lines within and around these), below the pattern "label": name, sizes,
 /// unit, scale, a hash of the pattern, test squares of 50 mm and 2 in; and "legend", what the
-/// colours mean. A pattern that overlaps itself gets no allowance.
+/// colours mean.
 /// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
 /// @throws Error as pattern_geometry()
@@ -40,6 +40,11 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
 /// @param pattern what pattern_geometry() makes of both
 Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
                       const PatternGeometry& pattern);
+
+/// The same, but half a piece whose options ask for it is drawn whole, its fold a line inside.
+/// @throws Error as with_folds_opened()
+Drawing sheet_to_cut(const TriMesh& mesh, const UnfoldReport& unfold,
+                     const PatternGeometry& pattern);
 
 /// The sheet without the strain map and its legend, whose layers stay and are empty.
 Drawing without_map(Drawing sheet);

@@ -50,7 +50,7 @@ ApparelPiece::ApparelPiece(const DxfOptions& options)
 
 void ApparelPiece::add(const Layer& layer, const Path& path) {
   const auto number = dxf_layer_name(layer.name, options_);
-  if (!number || !path.stroke) return;
+  if (!number || !path.stroke || std::holds_alternative<SignMark>(path.mark)) return;
   if (options_.notch_strokes && !std::holds_alternative<GrainMark>(path.mark)) {
     // As strokes below.
   } else if (const auto* notch = std::get_if<NotchMark>(&path.mark)) {

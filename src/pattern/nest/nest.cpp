@@ -98,11 +98,14 @@ class NestEngine {
  public:
   NestEngine(std::span<const NestPiece> pieces, const NestOptions& options, double step)
       : step_(step),
-        height_(options.width - 2.0 * options.margin),
+        height_(width_of(options)),
+        least_lift_(options.folded ? options.gap : 0.0),
         length_(options.length ? *options.length - 2.0 * options.margin + k_nest_slack
                                : std::numeric_limits<double>::infinity()) {
     shapes_.reserve(pieces.size());
+    on_fold_.reserve(pieces.size());
     for (const NestPiece& piece : pieces) {
+      on_fold_.push_back(piece.fold.has_value());
       shapes_.push_back(piece.quantity > 0 ? turned_pieces(piece, options, step_)
                                            : std::vector<TurnedPiece>{});
     }
@@ -159,12 +162,14 @@ class NestEngine {
     LaidCopy best;
     for (std::size_t t = 0; t < shapes_[piece].size(); ++t) {
       const TurnedPiece& turn = shapes_[piece][t];
-      const double highest = height_ - turn.size.y + k_nest_slack;
+      const double highest =
+          on_fold_[piece] ? 0.0 : std::max(0.0, height_ - turn.size.y + k_nest_slack);
+      const Span lifts = {std::min(least_lift_, highest), highest};
       std::size_t& column = open.full[piece][t];
       for (;; ++column) {
         const double end = static_cast<double>(column) * step_ + turn.size.x;
         if (end > std::min(length_, best.end + k_nest_slack)) break;
-        const auto lift = open.columns.lowest_place(turn.columns, column, std::max(0.0, highest));
+        const auto lift = open.columns.lowest_place(turn.columns, column, lifts);
         if (!lift) continue;
         if (end < best.end - k_nest_slack || *lift < best.lift) {
           best = {piece, t, sheet, column, *lift, end};
@@ -175,8 +180,11 @@ class NestEngine {
     return best;
   }
 
-  double step_, height_, length_;
+  double step_, height_;
+  double least_lift_;  ///< a gap beside the fold of the cloth for what does not lie on it
+  double length_;
   std::vector<std::vector<TurnedPiece>> shapes_;
+  std::vector<bool> on_fold_;  ///< whether the piece lies on the edge at y = 0
 };
 
 using NestOrder = std::vector<std::size_t>;
@@ -263,8 +271,8 @@ std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestEngin
   for (const LaidCopy& copy : laid.copies) {
     const TurnedPiece& shape = shop.shape(copy);
     const Vec2 at = {static_cast<double>(copy.column) * shop.step(), copy.lift};
-    const Vec2 margin = {options.margin, options.margin};
-    placements.push_back({copy.piece, 0, copy.sheet, shape.angle, margin + at - shape.low});
+    placements.push_back(
+        {copy.piece, 0, copy.sheet, shape.angle, corner_of(options) + at - shape.low});
   }
   std::stable_sort(placements.begin(), placements.end(),
                    [](const auto& a, const auto& b) { return a.piece < b.piece; });

@@ -19,6 +19,13 @@ constexpr double k_columns_a_piece = 150.0;  // of the middling piece
 constexpr double k_most_columns = 20'000.0;  // of the largest
 constexpr double k_largest_number = 1e7;     // millimetres
 
+double in_one_turn(double degrees) {
+  const double angle = std::fmod(degrees, 360.0);
+  const double positive = angle < 0.0 ? angle + 360.0 : angle;
+  return positive < 360.0 ? positive : 0.0;
+}
+
+/// Against the grain, in degrees.
 std::vector<double> turns_of(const NestPiece& piece, const NestOptions& options) {
   switch (std::min(piece.turns.value_or(options.turns), options.turns)) {
     case Turns::none:
@@ -37,10 +44,13 @@ std::vector<double> turns_of(const NestPiece& piece, const NestOptions& options)
   return angles;
 }
 
-double in_one_turn(double degrees) {
-  const double angle = std::fmod(degrees, 360.0);
-  const double positive = angle < 0.0 ? angle + 360.0 : angle;
-  return positive < 360.0 ? positive : 0.0;
+/// In which the piece may be turned, in degrees, at least 0 and less than 360.
+std::vector<double> angles_of(const NestPiece& piece, const NestOptions& options) {
+  if (piece.fold) return {in_one_turn(*piece.fold)};
+  std::vector<double> angles = turns_of(piece, options);
+  for (double& angle : angles)
+    angle = in_one_turn(piece.angle + angle);
+  return angles;
 }
 
 std::vector<Polygon> turned(const PieceOutline& outline, double angle) {
@@ -64,8 +74,8 @@ std::vector<BoxLength> box_lengths(std::span<const NestPiece> pieces, const Nest
   for (const NestPiece& piece : pieces) {
     if (piece.quantity == 0) continue;
     const double area = std::abs(signed_area(piece.outline.loops.front()));
-    for (const double turn : turns_of(piece, options)) {
-      const Vec2 size = loop_box(turned(piece.outline, in_one_turn(piece.angle + turn))).size();
+    for (const double angle : angles_of(piece, options)) {
+      const Vec2 size = loop_box(turned(piece.outline, angle)).size();
       if (area < k_full * size.x * size.y) continue;
       const double length = size.x + options.gap;
       const auto found = std::find_if(lengths.begin(), lengths.end(), [&](const BoxLength& other) {
@@ -86,7 +96,7 @@ bool is_multiple(double length, double step) {
 }
 
 bool fits(Vec2 size, const NestOptions& options) {
-  const double width = options.width - 2.0 * options.margin + k_fit_slack;
+  const double width = width_of(options) + k_fit_slack;
   const double length = options.length ? *options.length - 2.0 * options.margin + k_fit_slack
                                        : std::numeric_limits<double>::infinity();
   return size.x <= length && size.y <= width;
@@ -151,9 +161,8 @@ std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const Nes
 
 bool all_fit(std::span<const NestPiece> pieces, const NestOptions& options) {
   return std::all_of(pieces.begin(), pieces.end(), [&](const NestPiece& piece) {
-    const std::vector<double> turns = turns_of(piece, options);
-    return piece.quantity == 0 || std::any_of(turns.begin(), turns.end(), [&](double turn) {
-             const double angle = in_one_turn(piece.angle + turn);
+    const std::vector<double> angles = angles_of(piece, options);
+    return piece.quantity == 0 || std::any_of(angles.begin(), angles.end(), [&](double angle) {
              return fits(loop_box(turned(piece.outline, angle)).size(), options);
            });
   });
@@ -163,8 +172,8 @@ std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions
                                        double step) {
   std::vector<TurnedPiece> result;
   Vec2 narrowest{0.0, std::numeric_limits<double>::infinity()};
-  for (const double turn : turns_of(piece, options)) {
-    TurnedPiece candidate{.angle = in_one_turn(piece.angle + turn)};
+  for (const double angle : angles_of(piece, options)) {
+    TurnedPiece candidate{.angle = angle};
     std::vector<Polygon> loops = turned(piece.outline, candidate.angle);
     const LoopBox box = loop_box(loops);
     if (box.size().y < narrowest.y) narrowest = box.size();

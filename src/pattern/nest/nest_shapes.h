@@ -18,6 +18,16 @@ struct TurnedPiece {
   ColumnSpans columns = {}, grown = {};  ///< of the piece, and of all within the gap around it
 };
 
+/// The lower left corner of the area of a sheet that pieces may take.
+inline Vec2 corner_of(const NestOptions& options) {
+  return {options.margin, options.folded ? 0.0 : options.margin};
+}
+
+/// The width of that area.
+inline double width_of(const NestOptions& options) {
+  return options.width - options.margin - corner_of(options).y;
+}
+
 /// The width of the columns, millimetres: what is asked for, else by the sizes of the pieces.
 double column_step(std::span<const NestPiece> pieces, const NestOptions& options);
 

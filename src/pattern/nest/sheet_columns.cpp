@@ -57,18 +57,18 @@ bool SheetColumns::is_hopeless(const ColumnSpans& piece, std::size_t at) const {
 }
 
 std::optional<double> SheetColumns::lowest_place(const ColumnSpans& piece, std::size_t at,
-                                                 double highest) const {
+                                                 Span lifts) const {
   if (is_hopeless(piece, at)) return std::nullopt;
   const std::size_t columns =
       at < taken_.size() ? std::min(piece.columns.size(), taken_.size() - at) : 0;
-  double lift = 0.0;
+  double lift = lifts.low;
   // A column that has let the piece pass may stop it again further up: on until none has since.
   std::size_t passed = 0;
   for (std::size_t c = 0; passed < columns; c = c + 1 < columns ? c + 1 : 0) {
     const double next = lifted(piece.columns[c], taken_[at + c], lift);
     passed = next > lift ? 1 : passed + 1;
     lift = next;
-    if (lift > highest + k_touch) return std::nullopt;
+    if (lift > lifts.high + k_touch) return std::nullopt;
   }
   return lift;
 }

@@ -19,9 +19,8 @@ class SheetColumns {
   /// The lowest place where a piece meets nothing that is taken, if there is one.
   /// @param piece its columns from number 0 on, its lowest place at height 0
   /// @param at the number of the sheet's column that its first one comes to lie on
-  /// @param highest that the piece may be lifted
-  std::optional<double> lowest_place(const ColumnSpans& piece, std::size_t at,
-                                     double highest) const;
+  /// @param lifts how far the piece may be lifted, from the least on
+  std::optional<double> lowest_place(const ColumnSpans& piece, std::size_t at, Span lifts) const;
 
   /// Takes the columns of a piece and of the gap around it; what is off the sheet is left out.
   void take(const ColumnSpans& grown, std::size_t at, double lift);

@@ -29,4 +29,9 @@ bool are_opposite(Vec2 unit, Vec2 other) {
   return dot(unit, other) <= -0.5 * norm(other);
 }
 
+Vec2 direction(Vec2 from, Vec2 to) {
+  const double length = norm(to - from);
+  return length > 0.0 ? 1.0 / length * (to - from) : Vec2{};
+}
+
 }  // namespace planish

@@ -10,6 +10,9 @@ Vec2 direction_of(Vec2 v);
 /// The angle from a to b, -pi to pi, > 0 where b is to the left.
 double turn_between(Vec2 a, Vec2 b);
 
+/// From one place to another one, of length 1; (0, 0) where both are the same.
+Vec2 direction(Vec2 from, Vec2 to);
+
 /// To the right of a direction: outside of a loop that has the piece on its left.
 Vec2 outwards(Vec2 direction);
 

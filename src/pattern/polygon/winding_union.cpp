@@ -56,7 +56,9 @@ std::vector<Polygon> winding_union(std::span<const Polygon> lines) {
       path.push_back(on_grid(p));
   }
   // Crossings are rounded to the grid, which may make lines cross anew: hence the second time.
-  const ClipperLib::Paths result = united(united(paths));
+  const ClipperLib::Paths once = united(paths);
+  if (once.empty()) return {};  // Clipper fails where there is nothing to unite
+  const ClipperLib::Paths result = united(once);
   std::vector<Polygon> polygons;
   polygons.reserve(result.size());
   for (const ClipperLib::Path& path : result)

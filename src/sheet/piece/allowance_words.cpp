@@ -56,8 +56,9 @@ std::vector<OtherWidth> other_widths(const PieceOutline& outline, const Allowanc
 
 }  // namespace
 
-std::string allowance_words(const PieceOutline& outline, const PatternOptions& options) {
-  if (!options.allowance) return {};
+namespace {
+
+std::string widths_words(const PieceOutline& outline, const PatternOptions& options) {
   constexpr double k_fold = -1.0;
   const double usual = options.allowance->width;
   std::vector<EdgeAllowance> stretches = options.edge_allowances;
@@ -83,6 +84,15 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
             " at " + list_text(others[i].places);
   }
   return text;
+}
+
+}  // namespace
+
+std::string allowance_words(const PieceOutline& outline, const PatternOptions& options) {
+  if (!options.allowance) return {};
+  const bool has_darts = std::any_of(options.edge_allowances.begin(), options.edge_allowances.end(),
+                                     [](const EdgeAllowance& edge) { return edge.takes_darts; });
+  return widths_words(outline, options) + (has_darts ? ", darts folded and not cut out" : "");
 }
 
 }  // namespace planish

@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "core/number_text.h"
+#include "pattern/allowance/filled_slit.h"
 #include "pattern/curves/piece_math.h"
-#include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
+#include "pattern/polygon/winding_union.h"
 #include "sheet/piece/outlines.h"
 
 namespace planish {
@@ -50,6 +51,7 @@ Allowance turned_round(Allowance allowance) {
     std::reverse(folds.begin(), folds.end());
   for (std::vector<int>& hems : allowance.hems)
     std::reverse(hems.begin(), hems.end());
+  allowance.darts.clear();
   return allowance;
 }
 
@@ -204,6 +206,44 @@ void check_kerf(const PieceOutline& outline, double kerf) {
                   " mm wide, less than a kerf of " + fixed_text(kerf, 3) + " mm");
 }
 
+double area_within(std::span<const Polygon> lines) {
+  double area = 0.0;
+  for (const Polygon& loop : winding_union(lines))
+    area += signed_area(loop);
+  return area;
+}
+
+/// The area that an outline covers twice or the wrong way round.
+double lapped_area(const PieceOutline& outline) {
+  double area = 0.0;
+  std::vector<Polygon> reversed = outline.loops;
+  for (Polygon& loop : reversed) {
+    area += signed_area(loop);
+    std::reverse(loop.begin(), loop.end());
+  }
+  return area - area_within(outline.loops) + 2.0 * area_within(reversed);
+}
+
+/// The options of a pattern that overlaps itself. Where little of it does, the cut line goes around
+/// both layers; else there is no allowance.
+PatternOptions with_lap_noted(PatternOptions options, const PieceOutline& outline,
+                              std::vector<std::string>& notes) {
+  constexpr double k_most = 0.02;  // of the area
+  if (!options.overlaps || (!options.allowance && !(options.kerf > 0.0))) return options;
+  const double lapped = lapped_area(outline);
+  const std::string laps =
+      "piece \"" + outline.piece + "\" overlaps itself by " + fixed_text(lapped, 1) + " mm2";
+  if (lapped <= k_most * area_within(outline.loops)) {
+    notes.push_back(laps +
+                    ": its cut line goes around both layers, so allowances are cut back there");
+    return options;
+  }
+  notes.push_back(laps + ": it gets no seam allowance");
+  options.allowance.reset();
+  options.kerf = 0.0;
+  return options;
+}
+
 /// A hole that its allowance would fill is cut without one.
 CutLine cut_line(const PieceOutline& outline, const Allowance& asked,
                  std::vector<EdgeAllowance> edges, double kerf,
@@ -257,10 +297,13 @@ std::vector<PlacedNotch> notches_that_fit(const PieceOutline& outline, std::span
 
 /// Allowances of edges by vertices, as all others are; names stay.
 PatternOptions with_allowances_of_edges(PatternOptions options, const PieceOutline& outline) {
-  for (const EdgeAllowance& edge : allowances_of_edges(outline, options.edges))
+  const double usual = options.allowance ? options.allowance->width : 0.0;
+  for (const EdgeAllowance& edge : allowances_of_edges(outline, options.edges, usual))
     options.edge_allowances.push_back(edge);
-  for (PatternEdge& edge : options.edges)
+  for (PatternEdge& edge : options.edges) {
     edge.allowance.reset();
+    edge.takes_darts = edge.mirrors_ends = false;
+  }
   return options;
 }
 
@@ -269,15 +312,16 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
                              const std::string& piece, PatternOptions wanted) {
   // Of a mirrored pattern the one that it was made from is placed, so that rounding is the same.
   PatternGeometry pattern{.options = std::move(wanted)};
-  const PatternOptions options = pattern.options;
-  const bool mirrored = options.like && options.like->mirrored;
+  const bool mirrored = pattern.options.like && pattern.options.like->mirrored;
   pattern.positions = in_millimetres(positions, unit);
   if (mirrored)
     std::transform(pattern.positions.begin(), pattern.positions.end(), pattern.positions.begin(),
                    mirrored_in_y_axis);
   pattern.outline = piece_outline(border_loops(mesh, mirrored), pattern.positions, piece);
-  if (options.like) begin_at(options.like->start, pattern.outline);
+  if (pattern.options.like) begin_at(pattern.options.like->start, pattern.outline);
   pattern.cut = pattern.outline.loops;
+  pattern.options = with_lap_noted(std::move(pattern.options), pattern.outline, pattern.left_out);
+  const PatternOptions options = pattern.options;
   pattern.options = with_allowances_of_edges(
       std::move(pattern.options), mirrored ? mirror_image(pattern).outline : pattern.outline);
   std::vector<EdgeAllowance> edges =
@@ -290,7 +334,8 @@ PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> position
     allowance = with_edge_allowances({.width = 1.0}, pattern.outline, {&edges.back(), 1});
   }
   if (options.allowance || options.kerf > 0.0) {
-    const Allowance asked = options.allowance.value_or(Allowance{.width = 0.0});
+    Allowance asked = options.allowance.value_or(Allowance{.width = 0.0});
+    asked.laps = options.overlaps;
     CutLine line = cut_line(pattern.outline, asked, edges, options.kerf, pattern.left_out);
     if (options.allowance) allowance = std::move(line.allowance);
     pattern.cut = std::move(line.loops);
@@ -329,12 +374,31 @@ PatternGeometry placed_pattern(const TriMesh& mesh, std::span<const Vec2> positi
   return pattern;
 }
 
+namespace {
+
+/// The points of legs of darts that are folded: no cut line is to lie beside them.
+std::vector<Index> vertices_of_darts(const PatternGeometry& pattern) {
+  std::vector<Index> vertices;
+  const Allowance all = with_edge_allowances({}, pattern.outline, pattern.options.edge_allowances);
+  for (const FoldedDart& dart : all.darts) {
+    const std::vector<Index>& loop = pattern.outline.vertices[dart.loop];
+    for (std::size_t i = dart.from; i != dart.to; i = (i + 1) % loop.size())
+      vertices.push_back(loop[i]);
+  }
+  return vertices;
+}
+
+}  // namespace
+
 std::vector<FilledStretch> filled_stretches(const PatternGeometry& pattern) {
   std::vector<FilledStretch> filled;
   const double widest = widest_allowance(pattern.options);
   if (!(widest > 0.0)) return filled;
+  const std::vector<Index> darts = vertices_of_darts(pattern);
   for (const OutlineStretch& stretch : filled_slits(pattern.outline.loops, pattern.cut, widest)) {
-    filled.push_back({pattern.outline.vertices[stretch.loop][stretch.middle], stretch.length});
+    const Index middle = pattern.outline.vertices[stretch.loop][stretch.middle];
+    if (std::find(darts.begin(), darts.end(), middle) == darts.end())
+      filled.push_back({middle, stretch.length});
   }
   return filled;
 }

@@ -96,7 +96,11 @@ TEST(JsonReport, OfAProductSaysWhereTheDesignWasKept) {
 
 TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {
   const NestJob job{{{"front", {}, {{0, 0}}}, {"lost", {}, {}}}, Unit::mm, {.width = 700.0}};
-  LayoutReport layout = layout_report(job, {{{0, 1, 0, 90.0, {3.0, 4.0}}}, 1, 500.0});
+  LayoutReport layout;
+  layout.left_out = {"lost"};
+  add_layout("felt", job, {{{0, 1, 0, 90.0, {3.0, 4.0}}}, 1, 500.0, 10.0, 40.0}, layout);
+  const NestJob other{{{"lining", {}, {{0, 0}}}}, Unit::mm, {.width = 900.0}};
+  add_layout("silk", other, {{{0, 0, 1, 0.0, {}}}, 2, 300.0, 20.0, 60.0}, layout);
   const auto nesting = [&] {
     return Json::parse(
         json_report(product(), "coat", {{"", "", ""}, {{}, {}, {}}}, layout))["nesting"];
@@ -105,6 +109,15 @@ TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {
   EXPECT_EQ(nesting()["left_out"], Json::array({"lost"}));
   EXPECT_EQ(nesting()["placements"][0]["patch"], "front");
   EXPECT_EQ(nesting()["placements"][0]["copy"], 2);
+  EXPECT_EQ(nesting()["placements"][1]["patch"], "lining");
+  EXPECT_EQ(nesting()["placements"][1]["sheet"], 3) << "behind the one of felt";
+  EXPECT_EQ(nesting()["sheets"], 3);
+  EXPECT_EQ(nesting()["used_share"], 0.3);
+  EXPECT_EQ(nesting()["waste"], 0.7);
+  EXPECT_EQ(nesting()["materials"][1]["material"], "silk");
+  EXPECT_EQ(nesting()["materials"][1]["sheet_width"], 900.0);
+  EXPECT_EQ(nesting()["materials"][1]["first_sheet"], 2);
+  EXPECT_EQ(nesting()["materials"][0]["used_share"], 0.25);
   layout.failure = Failure{"piece_too_large", "large"};
   EXPECT_EQ(nesting()["error"]["message"], "large");
   EXPECT_FALSE(nesting().contains("placements"));

@@ -12,6 +12,7 @@
 #include "core/fnv_hash.h"
 #include "oracle/outline_distance.h"
 #include "pattern/pattern_hash.h"
+#include "pattern/polygon/loop_box.h"
 #include "sheet/sheet_layout.h"
 #include "support/sample_report.h"
 #include "unit/sheet/layers.h"
@@ -64,11 +65,33 @@ TEST(Annotations, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm + 12 mm allowance"));
 }
 
-TEST(Annotations, HasNoAllowanceAroundAPatternThatOverlapsItself) {
-  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}}, true);
-  EXPECT_TRUE(layer_of(sheet, "seam").shapes.empty());
-  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 200.0 * 200.0, 1e-6);
-  EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
+/// A square of 200 mm whose vertex 2, in the middle of the lower side, lies this high.
+PatternGeometry with_vertex_raised(double height) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 50.0 * p;
+  unfold.pattern.positions[2] = {110.0, height};
+  unfold.pattern.overlaps = true;
+  return pattern_geometry(mesh, unfold, "panel", {.allowance = Allowance{.width = 12.0}});
+}
+
+TEST(Annotations, HasNoAllowanceWhereMuchOfAPatternOverlaps) {
+  const PatternGeometry pattern = with_vertex_raised(400.0);
+  EXPECT_EQ(pattern.cut, pattern.outline.loops);
+  EXPECT_FALSE(pattern.options.allowance);
+  // Of the triangle from (50, 0) and (150, 0) to (110, 400), half as high and wide, above 200.
+  EXPECT_THAT(pattern.left_out,
+              Contains("piece \"panel\" overlaps itself by 5000 mm2: it gets no seam allowance"));
+}
+
+TEST(Annotations, CutsAroundBothLayersWhereLittleOfAPatternOverlaps) {
+  const PatternGeometry pattern = with_vertex_raised(230.0);
+  EXPECT_TRUE(pattern.options.allowance);
+  EXPECT_THAT(pattern.left_out, Contains(HasSubstr("overlaps itself by 195.7 mm2: its cut line")));
+  ASSERT_EQ(pattern.cut.size(), 1U);
+  const LoopBox box = loop_box(pattern.cut);
+  EXPECT_NEAR(box.size().x, 224.0, 1e-4);
 }
 
 TEST(Annotations, RingsThePlaceWhereAPatternOverlapsItself) {
@@ -438,12 +461,48 @@ double length_on(const Drawing& sheet, const std::string& name) {
   double length = 0.0;
   for (const DrawingShape& shape : layer_of(sheet, name).shapes) {
     const Path& some = std::get<Path>(shape);
+    if (std::holds_alternative<SignMark>(some.mark)) continue;
     for (const auto& line : some.lines) {
       for (std::size_t i = 0; i + (some.closed ? 0 : 1) < line.size(); ++i)
         length += norm(line[(i + 1) % line.size()] - line[i]);
     }
   }
   return length;
+}
+
+TEST(Annotations, HaveABracketInsideAHalfThatPointsAtItsFold) {
+  const Drawing sheet = sheet_with({.fold = FoldLine{20, 0}});
+  const auto& shapes = layer_of(sheet, "fold").shapes;
+  ASSERT_EQ(shapes.size(), 2U);
+  const Path& fold = std::get<Path>(shapes[0]);
+  const Path& bracket = std::get<Path>(shapes[1]);
+  ASSERT_EQ(bracket.lines.size(), 3U) << "a line and two arrow heads";
+  const Vec2 end = fold.lines[0].front(), way = fold.lines[0].back() - end;
+  const auto away = [&](Vec2 p) { return std::abs(cross(way, p - end)) / norm(way); };
+  EXPECT_NEAR(away(bracket.lines[0].front()), 0.0, 1e-9);
+  EXPECT_NEAR(away(bracket.lines[0].back()), 0.0, 1e-9);
+  for (const Vec2 p : {bracket.lines[0][1], bracket.lines[0][2]}) {
+    EXPECT_NEAR(away(p), 10.0, 1e-9);
+    EXPECT_TRUE(oracle::is_inside(p, {path(sheet, "cut").lines[0]}));
+  }
+  EXPECT_NEAR(away(bracket.lines[1][1]), 0.0, 1e-9) << "the tip of an arrow";
+}
+
+TEST(Annotations, ShowTheWholeOfAHalfWhereThatIsAskedFor) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 50.0 * p;
+  PatternOptions options{.allowance = Allowance{.width = 10.0}, .fold = FoldLine{20, 0}};
+  const auto sheet_of = [&] {
+    return sheet_to_cut(mesh, unfold, pattern_geometry(mesh, unfold, "panel", options));
+  };
+  EXPECT_FALSE(path(sheet_of(), "cut").closed) << "open along the fold";
+  options.open_fold = true;
+  const Drawing sheet = sheet_of();
+  EXPECT_TRUE(path(sheet, "cut").closed);
+  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 420.0 * 220.0, 0.01);
+  EXPECT_EQ(layer_of(sheet, "fold").shapes.size(), 1U) << "no bracket on a whole";
 }
 
 TEST(Annotations, DrawNoLineTwice) {

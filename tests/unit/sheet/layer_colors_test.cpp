@@ -141,7 +141,7 @@ TEST(LayerColors, TellThemApartWhereThePatternIsNotToBeCut) {
   PatternOptions options = all_that_a_piece_can_carry();
   options.notches.clear();
   options.fold.reset();
-  expect_layers_apart(pattern_sheet(Patch(cells()), unfold, "panel", options), 7);
+  expect_layers_apart(pattern_sheet(Patch(cells()), unfold, "panel", options), 8);
 }
 
 TEST(LayerColors, TellTheLayersOfALayoutApart) {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include <planish/core/error.h>
 #include <planish/draw/format_drawing.h>
 #include <planish/sheet/nest_sheet.h>
 
@@ -58,6 +59,53 @@ NestJob jacket() {
               {.width = 700.0, .gap = 8.0}};
   job.patches[1].pattern.clear();
   return job;
+}
+
+TEST(DoubleCloth, LaysPairsOnceAndNamesWhatHasNoPartner) {
+  const auto labelled = [](const std::string& name, int quantity, int mirrored) {
+    PatternOptions own;
+    own.label.quantity = quantity;
+    own.label.mirrored = mirrored;
+    return flat_patch(name, 2, 3, own);
+  };
+  std::vector<NestPatch> patches = {labelled("pair", 4, 2), labelled("collar", 1, 0),
+                                    labelled("left", 3, 0), labelled("right", 2, 0)};
+  patches[3].mirror_image_of = 2;
+  patches.push_back(labelled("yoke", 1, 0));
+  patches.back().annotations.fold = FoldLine{0, 2};
+  const DoubleCloth cloth = on_double_cloth(patches);
+  ASSERT_EQ(cloth.patches.size(), 4U) << "the right one is the left one's second layer";
+  const auto copies = [&](std::size_t p) { return cloth.patches[p].annotations.label.quantity; };
+  EXPECT_EQ(copies(0), 2);
+  EXPECT_EQ(copies(1), 1);
+  EXPECT_EQ(copies(2), 3);
+  EXPECT_EQ(copies(3), 1) << "a half gives one whole piece";
+  EXPECT_EQ(cloth.patches[0].annotations.label.mirrored, 0);
+  ASSERT_EQ(cloth.single.size(), 2U);
+  EXPECT_EQ(cloth.single[0].name, "collar");
+  EXPECT_EQ(cloth.single[0].copies, 1);
+  EXPECT_EQ(cloth.single[1].name, "left");
+  EXPECT_EQ(cloth.single[1].copies, 1);
+}
+
+TEST(DoubleCloth, LaysTheFoldOfAHalfOnThatOfTheCloth) {
+  PatternOptions own{.allowance = Allowance{.width = 8.0}, .fold = FoldLine{2, 11}};
+  for (const double grain : {90.0, 270.0, 92.0}) {
+    own.grain = grain;
+    const NestJob job{on_double_cloth({flat_patch("half", 2, 3, own)}).patches,
+                      Unit::mm,
+                      {.width = 300.0, .folded = true}};
+    const auto pieces = nest_pieces(job);
+    ASSERT_EQ(pieces.size(), 1U);
+    const Nesting nesting = nest(pieces, job.sheets);
+    // Vertices 2 and 11 are the corners on the right.
+    for (const Vec2 corner : {Vec2{20.0, 0.0}, Vec2{20.0, 30.0}})
+      EXPECT_NEAR(nesting.placements[0](corner).y, 0.0, 1e-9);
+    EXPECT_NEAR(nesting.placements[0]({0.0, 15.0}).y, 20.0, 1e-9);
+  }
+  own.grain = 0.0;
+  const NestJob across{{flat_patch("half", 2, 3, own)}, Unit::mm, {.width = 300.0, .folded = true}};
+  EXPECT_THROW(nest_pieces(across), Error);
 }
 
 TEST(NestSheet, DrawsEveryCopyWhereItWasLaid) {

@@ -104,6 +104,41 @@ void expect_sound(const std::vector<NestPiece>& pieces, const NestOptions& optio
   }
 }
 
+TEST(Nest, LaysHalvesOnTheFoldOfTheCloth) {
+  std::vector<NestPiece> pieces = ragged_pieces(6, 5);
+  // Its fold is the side at x = 40, from the bottom up; the piece is left of it.
+  pieces.push_back(box_piece("half", 40.0, 120.0, 2));
+  pieces.back().fold = -90.0;
+  pieces.back().angle = 10.0;
+  const NestOptions options{.width = 400.0, .gap = 6.0, .margin = 15.0, .folded = true};
+  const Nesting nesting = nest(pieces, options);
+  expect_all_laid(pieces, nesting);
+  double lowest_of_others = options.width;
+  for (const NestPlacement& placement : nesting.placements) {
+    const NestPiece& piece = pieces[placement.piece];
+    const oracle::OutlineBox box = oracle::outline_box(placed_loops(piece, placement));
+    EXPECT_LE(box.high.y, options.width - options.margin + 1e-6);
+    EXPECT_GE(box.low.x, options.margin - 1e-6);
+    if (!piece.fold) {
+      lowest_of_others = std::min(lowest_of_others, box.low.y);
+      continue;
+    }
+    const Vec2 from = placement({40.0, 0.0}), to = placement({40.0, 120.0});
+    EXPECT_NEAR(from.y, 0.0, 1e-9);
+    EXPECT_NEAR(to.y, 0.0, 1e-9);
+    EXPECT_NEAR(to.x - from.x, 120.0, 1e-9);
+    EXPECT_NEAR(box.high.y, 40.0, 1e-9) << "the piece is above its fold";
+  }
+  EXPECT_NEAR(lowest_of_others, options.gap, 1e-6) << "beside the fold the gap, and no margin";
+}
+
+TEST(Nest, RefusesAHalfThatIsWiderThanTheFoldedCloth) {
+  NestPiece half = box_piece("half", 40.0, 120.0);
+  half.fold = -90.0;
+  EXPECT_EQ(nest({&half, 1}, {.width = 41.0, .folded = true}).placements.size(), 1U);
+  EXPECT_THROW(nest({&half, 1}, {.width = 39.0, .folded = true, .turns = Turns::free}), Error);
+}
+
 TEST(Nest, KeepsPiecesApartAndOnTheSheetInAnyTurns) {
   for (const Turns turns : {Turns::none, Turns::half, Turns::quarter, Turns::free}) {
     for (const double gap : {0.0, 0.7, 12.0}) {

@@ -12,9 +12,10 @@
 
 #include "core/number_text.h"
 #include "geometry/crosses_itself.h"
-#include "pattern/allowance_joins.h"
-#include "pattern/bare_ends.h"
-#include "pattern/hems.h"
+#include "pattern/allowance/allowance_joins.h"
+#include "pattern/allowance/bare_ends.h"
+#include "pattern/allowance/darts.h"
+#include "pattern/allowance/hems.h"
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/plane.h"
@@ -95,7 +96,7 @@ void check(const PieceOutline& outline, const Allowance& allowance) {
   check_counts(outline, allowance);
   check_widths(outline, allowance);
   check_range("mitre_limit", allowance.mitre_limit, {.min = 1.0});
-  check_outline(outline);
+  if (!allowance.laps) check_outline(outline);
 }
 
 WideLoop wide_loop(const PieceOutline& outline, std::size_t k, const Allowance& allowance) {
@@ -139,11 +140,6 @@ WideLoop with_bare_sides_apart(const WideLoop& wide) {
     if (norm(inwards) > 0.5) apart.points[i] = wide.points[i] + k_apart / norm(inwards) * inwards;
   }
   return apart;
-}
-
-Vec2 direction(Vec2 from, Vec2 to) {
-  const double length = norm(to - from);
-  return length > 0.0 ? 1.0 / length * (to - from) : Vec2{};
 }
 
 /// Whether the outline turns from one point to another one also when seen from as far off as the
@@ -354,9 +350,10 @@ std::string_view to_string(Corners corners) {
   return "unknown";
 }
 
-std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& asked) {
-  check(outline, asked);
-  const Allowance allowance = without_hems(asked);
+std::vector<Polygon> offset_outline(const PieceOutline& whole, const Allowance& asked) {
+  check(whole, asked);
+  const PieceOutline outline = with_straight_darts(with_straight_hems(whole, asked), asked.darts);
+  const Allowance allowance = without_darts(outline, without_hems(asked));
   // Holes without an allowance are kept as they are, whatever reaches them from the outside.
   const std::size_t widened = allowance.holes ? outline.loops.size() : 1;
   std::vector<Polygon> lines;
@@ -371,6 +368,7 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
   std::vector<Polygon> result = winding_union(lines);
   if (allowance.holes) check_holes(outline, allowance, result);
   if (!asked.hems.empty()) result = with_hems(outline, asked, std::move(result));
+  if (!asked.darts.empty()) result = with_darts(outline, asked.darts, std::move(result));
   result.insert(result.end(), outline.loops.begin() + static_cast<std::ptrdiff_t>(widened),
                 outline.loops.end());
   return result;

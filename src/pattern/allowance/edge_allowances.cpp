@@ -8,25 +8,21 @@
 #include <planish/pattern/allowance.h>
 
 #include "core/number_text.h"
+#include "pattern/allowance/darts.h"
 #include "pattern/polygon/plane.h"
 
 namespace planish {
 
 namespace {
 
-/// A stretch of a loop by its points.
-struct Stretch {
-  std::size_t loop, from, to;
-};
-
-std::optional<Stretch> stretch_of(const EdgeAllowance& edge,
-                                  std::span<const std::vector<Index>> border) {
+std::optional<LoopStretch> stretch_of(const EdgeAllowance& edge,
+                                      std::span<const std::vector<Index>> border) {
   for (std::size_t k = 0; k < border.size(); ++k) {
     const auto place = [&](Index vertex) {
       const auto found = std::find(border[k].begin(), border[k].end(), vertex);
       return static_cast<std::size_t>(found - border[k].begin());
     };
-    const Stretch stretch = {k, place(edge.from), place(edge.to)};
+    const LoopStretch stretch = {k, place(edge.from), place(edge.to)};
     if (stretch.from < border[k].size() && stretch.to < border[k].size()) return stretch;
   }
   return std::nullopt;
@@ -38,7 +34,7 @@ std::string fold_text(std::string_view piece, const FoldLine& fold) {
 }
 
 /// The largest distance of a stretch from the line between its ends.
-double bow_of(const PieceOutline& outline, const Stretch& stretch) {
+double bow_of(const PieceOutline& outline, const LoopStretch& stretch) {
   const Polygon& loop = outline.loops[stretch.loop];
   double bow = 0.0;
   for (std::size_t at = stretch.from; at != stretch.to; at = (at + 1) % loop.size()) {
@@ -73,8 +69,8 @@ void check_fold(std::span<const std::vector<Index>> border, const FoldLine& fold
 EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold) {
   constexpr double k_straight = 0.5, k_share = 0.001;
   check_fold(outline.vertices, fold, outline.piece);
-  const Stretch ahead = *stretch_of({fold.from, fold.to}, outline.vertices);
-  const Stretch back = {ahead.loop, ahead.to, ahead.from};
+  const LoopStretch ahead = *stretch_of({fold.from, fold.to}, outline.vertices);
+  const LoopStretch back = {ahead.loop, ahead.to, ahead.from};
   const double bow = bow_of(outline, ahead), bow_back = bow_of(outline, back);
   const Polygon& loop = outline.loops[ahead.loop];
   const double length = norm(loop[ahead.to] - loop[ahead.from]);
@@ -113,6 +109,46 @@ struct EdgeEnds {
   bool operator==(const EdgeEnds&) const = default;
 };
 
+/// The points of an edge from one end on, as far as its allowance is wide; fewer where they are off
+/// a straight line, but at least two.
+std::size_t straight_points(const Polygon& loop, const std::vector<std::size_t>& points,
+                            double width) {
+  constexpr double k_straight = 0.4;  // millimetres
+  const Vec2 start = loop[points.front()];
+  std::size_t count = 2;
+  while (count < points.size() && norm(loop[points[count - 1]] - start) < width) {
+    const Vec2 end = loop[points[count]];
+    for (std::size_t k = 1; k < count; ++k) {
+      if (distance_to_segment(loop[points[k]], start, end) > k_straight) return count;
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// Hems at both ends of an edge, as far as it is straight there.
+void add_mirrored_ends(const PieceOutline& outline, const EdgeEnds& ends, double width,
+                       std::vector<EdgeAllowance>& allowances) {
+  if (!(width > 0.0)) return;
+  for (const OutlineEdge& edge : edges_between_corners(outline)) {
+    const std::vector<Index>& vertices = outline.vertices[edge.loop];
+    if (edge.loop != ends.loop || vertices[edge.points.front()] != ends.from) continue;
+    const Polygon& loop = outline.loops[edge.loop];
+    std::vector<std::size_t> points = edge.points;
+    const std::size_t before = straight_points(loop, points, width);
+    const Index first = vertices[points[before - 1]];
+    std::reverse(points.begin(), points.end());
+    const std::size_t behind = straight_points(loop, points, width);
+    const Index last = vertices[points[behind - 1]];
+    if (before + behind > points.size()) {
+      allowances.push_back({ends.from, ends.to, width, false, true});
+    } else {
+      allowances.push_back({ends.from, first, width, false, true});
+      allowances.push_back({last, ends.to, width, false, true});
+    }
+  }
+}
+
 /// @param clockwise the outline is the mirror image of the one whose edges are counted
 std::vector<EdgeEnds> edge_ends(const PieceOutline& outline, bool clockwise) {
   const PieceOutline counted = clockwise ? mirror_image(outline) : outline;
@@ -128,7 +164,7 @@ std::vector<EdgeEnds> edge_ends(const PieceOutline& outline, bool clockwise) {
 }  // namespace
 
 std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
-                                               std::span<const PatternEdge> edges) {
+                                               std::span<const PatternEdge> edges, double usual) {
   std::vector<EdgeAllowance> allowances;
   for (const PatternEdge& edge : edges) {
     const std::vector<EdgeEnds> ends = edge_ends(outline, edge.clockwise);
@@ -138,9 +174,12 @@ std::vector<EdgeAllowance> allowances_of_edges(const PieceOutline& outline,
                       ": from corner to corner there are " + std::to_string(ends.size()) +
                       ", counted counter-clockwise, as edge-lengths.csv has them");
     }
-    if (!edge.allowance) continue;
     const EdgeEnds& own = ends[static_cast<std::size_t>(edge.number) - 1];
-    allowances.push_back({own.from, own.to, *edge.allowance, false, edge.is_hem});
+    if (edge.allowance)
+      allowances.push_back({own.from, own.to, *edge.allowance, false, edge.is_hem});
+    if (edge.takes_darts) allowances.push_back({own.from, own.to, 0.0, false, false, true});
+    if (edge.mirrors_ends)
+      add_mirrored_ends(outline, own, edge.allowance.value_or(usual), allowances);
   }
   return allowances;
 }
@@ -174,9 +213,14 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
     allowance.hems.emplace_back(loop.size(), 0);
   }
   int hems = 0;
+  std::vector<LoopStretch> take_darts;
   for (const EdgeAllowance& edge : edges) {
+    const LoopStretch stretch = *stretch_of(edge, outline.vertices);
+    if (edge.takes_darts) {
+      take_darts.push_back(stretch);
+      continue;
+    }
     const int hem = edge.is_hem ? ++hems : 0;
-    const Stretch stretch = *stretch_of(edge, outline.vertices);
     std::vector<double>& widths = allowance.edge_widths[stretch.loop];
     std::size_t at = stretch.from;
     do {
@@ -187,6 +231,7 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
     } while (at != stretch.to);
   }
   if (hems == 0) allowance.hems.clear();
+  allowance.darts = darts_toward(outline, take_darts);
   return allowance;
 }
 

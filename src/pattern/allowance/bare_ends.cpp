@@ -1,4 +1,4 @@
-#include "pattern/bare_ends.h"
+#include "pattern/allowance/bare_ends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,19 +1,20 @@
-#include "pattern/hems.h"
+#include "pattern/allowance/hems.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include <planish/core/error.h>
 
 #include "core/number_text.h"
-#include "pattern/bare_ends.h"
+#include "pattern/allowance/bare_ends.h"
+#include "pattern/allowance/flap.h"
 #include "pattern/polygon/plane.h"
-#include "pattern/polygon/winding_union.h"
 
 namespace planish {
 
@@ -23,14 +24,31 @@ namespace {
 struct Hem {
   Vec2 from, to;
   double width = 0.0;
-  std::size_t loop = 0, first = 0, count = 0;  ///< points and edges of the outline
+  double reach_before = 0.0, reach_behind = 0.0;  ///< of the flap, beyond its ends
+  std::size_t loop = 0, first = 0, count = 0;     ///< points and edges of the outline
 
   Vec2 along() const { return 1.0 / norm(to - from) * (to - from); }
   /// Into the piece.
   Vec2 inwards() const { return -1.0 * outwards(along()); }
-  /// How far a place is on the side of the piece.
-  double height(Vec2 p) const { return cross(along(), p - from); }
+  CreaseLine crease() const { return {from, along()}; }
 };
+
+/// How far a flap may reach beyond an end of its hem: as far as other allowances do at a corner.
+/// Where the border goes on straight, its own allowance does too.
+double reach_at(Vec2 before, Vec2 end, Vec2 behind, double width, double widest) {
+  constexpr double k_straight = 5.0 * std::numbers::pi / 180.0, k_overlap = 0.05;
+  const double turn = std::abs(turn_between(end - before, behind - end));
+  return turn > k_straight ? 2.0 * widest : k_overlap * width;
+}
+
+double widest_of(const Allowance& allowance) {
+  double widest = 0.0;
+  for (const std::vector<double>& widths : allowance.edge_widths) {
+    for (const double width : widths)
+      widest = std::max(widest, width);
+  }
+  return widest;
+}
 
 std::vector<Hem> hems_of(const PieceOutline& outline, const Allowance& allowance) {
   std::map<int, Hem> hems;
@@ -39,17 +57,25 @@ std::vector<Hem> hems_of(const PieceOutline& outline, const Allowance& allowance
     const std::size_t n = numbers.size();
     for (std::size_t i = 0; i < n; ++i) {
       if (numbers[i] == 0 || !(allowance.edge_widths[k][i] > 0.0)) continue;
-      Hem& hem =
-          hems.try_emplace(numbers[i], Hem{{}, {}, allowance.edge_widths[k][i], k}).first->second;
+      Hem& hem = hems[numbers[i]];
+      hem.loop = k;
+      hem.width = allowance.edge_widths[k][i];
       ++hem.count;
       if (numbers[(i + n - 1) % n] != numbers[i]) hem.first = i;
     }
   }
   std::vector<Hem> result;
+  const double widest = widest_of(allowance);
   for (auto& [number, hem] : hems) {
     const Polygon& loop = outline.loops[hem.loop];
-    hem.from = loop[hem.first];
-    hem.to = loop[(hem.first + hem.count) % loop.size()];
+    const std::size_t n = loop.size();
+    const auto point = [&](std::size_t k) { return loop[k % n]; };
+    hem.from = point(hem.first);
+    hem.to = point(hem.first + hem.count);
+    hem.reach_before =
+        reach_at(point(hem.first + n - 1), hem.from, point(hem.first + 1), hem.width, widest);
+    hem.reach_behind = reach_at(point(hem.first + hem.count + n - 1), hem.to,
+                                point(hem.first + hem.count + 1), hem.width, widest);
     result.push_back(hem);
   }
   return result;
@@ -77,7 +103,7 @@ void check_hem(const PieceOutline& outline, const Hem& hem) {
   }
   double depth = 0.0;
   for (const Vec2 p : outline.loops.front())
-    depth = std::max(depth, hem.height(p));
+    depth = std::max(depth, hem.crease().height(p));
   if (depth < hem.width) {
     refuse(outline, ErrorCode::option_out_of_range,
            "a hem is " + fixed_text(hem.width, 1) + " mm wide, and the piece behind it only " +
@@ -86,33 +112,13 @@ void check_hem(const PieceOutline& outline, const Hem& hem) {
 }
 
 /// What is folded over of one line of the piece.
-/// @param reach along the hem, beyond its ends
-Polygon flap_of(const Hem& hem, Polygon line, double reach) {
+Polygon flap_of(const Hem& hem, Polygon line) {
   const Vec2 along = hem.along(), in = hem.inwards();
   const EndLine bounds[] = {{hem.from, along},
                             {hem.from + hem.width * in, -1.0 * along},
-                            {hem.from - reach * along, -1.0 * in},
-                            {hem.to + reach * along, in}};
-  line = left_of(std::move(line), bounds);
-  for (Vec2& p : line)
-    p = p - 2.0 * hem.height(p) * in;
-  std::reverse(line.begin(), line.end());
-  return line;
-}
-
-/// A strip over the line of the hem, so that rounding leaves no gap there.
-Polygon strip_over(const Hem& hem, const Polygon& flap) {
-  constexpr double k_near = 1e-4, k_half = 0.001;  // millimetres
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Vec2 p : flap) {
-    if (std::abs(hem.height(p)) > k_near) continue;
-    low = std::min(low, dot(hem.along(), p - hem.from));
-    high = std::max(high, dot(hem.along(), p - hem.from));
-  }
-  if (!(low < high)) return {};
-  const Vec2 a = hem.from + low * hem.along(), b = hem.from + high * hem.along();
-  const Vec2 in = k_half * hem.inwards();
-  return {a - in, b - in, b + in, a + in};
+                            {hem.from - hem.reach_before * along, -1.0 * in},
+                            {hem.to + hem.reach_behind * along, in}};
+  return mirrored(left_of(std::move(line), bounds), hem.crease());
 }
 
 }  // namespace
@@ -128,26 +134,29 @@ Allowance without_hems(Allowance allowance) {
   return allowance;
 }
 
+PieceOutline with_straight_hems(PieceOutline outline, const Allowance& allowance) {
+  for (const Hem& hem : hems_of(outline, allowance)) {
+    check_hem(outline, hem);
+    Polygon& loop = outline.loops[hem.loop];
+    straighten(hem.first, (hem.first + hem.count) % loop.size(), loop);
+  }
+  return outline;
+}
+
 std::vector<Polygon> with_hems(const PieceOutline& outline, const Allowance& allowance,
                                std::vector<Polygon> lines) {
   const std::vector<Polygon> before = lines;
-  double widest = 0.0;
-  for (const std::vector<double>& widths : allowance.edge_widths) {
-    for (const double width : widths)
-      widest = std::max(widest, width);
-  }
   for (const Hem& hem : hems_of(outline, allowance)) {
-    check_hem(outline, hem);
     for (const Polygon& line : before) {
       if (!(signed_area(line) > 0.0)) continue;
-      Polygon flap = flap_of(hem, line, 2.0 * widest);
-      Polygon strip = strip_over(hem, flap);
+      Polygon flap = flap_of(hem, line);
+      Polygon strip = strip_over(hem.crease(), flap);
       if (strip.empty() || !(signed_area(flap) > 0.0)) continue;
       lines.push_back(std::move(flap));
       lines.push_back(std::move(strip));
     }
   }
-  return lines.size() == before.size() ? lines : winding_union(lines);
+  return lines.size() == before.size() ? lines : united_flaps(lines);
 }
 
 }  // namespace planish

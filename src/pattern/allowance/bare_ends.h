@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "pattern/allowance_joins.h"
+#include "pattern/allowance/allowance_joins.h"
 
 namespace planish {
 

@@ -1,4 +1,4 @@
-#include "pattern/filled_slit.h"
+#include "pattern/allowance/filled_slit.h"
 
 #include <numbers>
 

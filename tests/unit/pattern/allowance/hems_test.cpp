@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <planish/core/error.h>
 #include <planish/pattern/allowance.h>
@@ -71,6 +74,67 @@ TEST(Hems, LieInAnyDirectionAndAreAsDeepAsAsked) {
   EXPECT_NEAR(deepest, -30.0, 1e-3);
 }
 
+/// The ends of the x axis that a line covers at a height.
+std::pair<double, double> span_at(const Polygon& line, double y) {
+  double low = 1e9, high = -1e9;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec2 a = line[i], b = line[(i + 1) % line.size()];
+    if ((a.y < y) == (b.y < y)) continue;
+    const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return {low, high};
+}
+
+TEST(MirroredEnds, LieOnThePieceWhenTheSeamIsPressedOpen) {
+  const PieceOutline outline = {
+      "slanted", {{{0, 0}, {200, 0}, {230, 100}, {30, 100}}}, {{0, 1, 2, 3}}};
+  const std::vector<PatternEdge> asked = {{.number = 1, .mirrors_ends = true}};
+  const auto edges = allowances_of_edges(outline, asked, 12.0);
+  const auto cut = offset_outline(outline, with_edge_allowances({.width = 12.0}, outline, edges));
+  ASSERT_EQ(cut.size(), 1U);
+  for (const double height : {0.5, 4.0, 11.0}) {
+    const auto [low, high] = span_at(cut[0], height);
+    const auto [low_below, high_below] = span_at(cut[0], -height);
+    EXPECT_NEAR(low_below, low, 2e-3) << height;
+    EXPECT_NEAR(high_below, high, 2e-3) << height;
+  }
+  const auto plain = offset_outline(outline, {.width = 12.0});
+  EXPECT_NEAR(span_at(plain[0], -11.0).second, span_at(plain[0], 11.0).second - 6.6, 1e-3)
+      << "without, the sides go on as they are";
+}
+
+TEST(MirroredEnds, ChangeNothingInTheMiddleOfACurvedSeam) {
+  PieceOutline outline = {"curved", {{}}, {{}}};
+  for (int k = 0; k <= 40; ++k)  // the lower side, as a bay 20 mm deep
+    outline.loops[0].push_back({5.0 * k, 20.0 * std::sin(std::numbers::pi * k / 40.0)});
+  outline.loops[0].push_back({230.0, 120.0});
+  outline.loops[0].push_back({-30.0, 120.0});
+  for (Index v = 0; v < outline.loops[0].size(); ++v)
+    outline.vertices[0].push_back(v);
+  const std::vector<PatternEdge> asked = {{.number = 1, .mirrors_ends = true}};
+  const auto edges = allowances_of_edges(outline, asked, 8.0);
+  ASSERT_EQ(edges.size(), 2U);
+  EXPECT_EQ(edges[0].from, 0U);
+  EXPECT_EQ(edges[1].to, 40U);
+  const auto plain = offset_outline(outline, {.width = 8.0});
+  const auto cut = offset_outline(outline, with_edge_allowances({.width = 8.0}, outline, edges));
+  ASSERT_EQ(cut.size(), 1U);
+  for (double x = 40.0; x <= 160.0; x += 7.0) {
+    const auto lowest = [&](const Polygon& line) {
+      double low = 1e9;
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const Vec2 a = line[i], b = line[(i + 1) % line.size()];
+        if ((a.x < x) == (b.x < x)) continue;
+        low = std::min(low, a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y));
+      }
+      return low;
+    };
+    EXPECT_NEAR(lowest(cut[0]), lowest(plain[0]), 0.02) << x;
+  }
+}
+
 TEST(Hems, ThatCannotBeAreRefused) {
   const auto refusal = [](const PieceOutline& outline, double width) -> std::string {
     try {
@@ -91,7 +155,7 @@ TEST(EdgesByNumber, AreCountedFromTheLowestVertexAndBackwardsInAMirrorImage) {
   const PieceOutline leg = leg_with_hem();
   const auto of = [](const PieceOutline& outline, int number, bool clockwise) {
     const PatternEdge edge{.number = number, .allowance = 5.0, .clockwise = clockwise};
-    const EdgeAllowance found = allowances_of_edges(outline, {&edge, 1}).front();
+    const EdgeAllowance found = allowances_of_edges(outline, {&edge, 1}, 10.0).front();
     return std::pair(found.from, found.to);
   };
   EXPECT_EQ(of(leg, 1, false), std::pair(Index{0}, Index{1}));
@@ -107,7 +171,7 @@ TEST(EdgesByNumber, AreCountedFromTheLowestVertexAndBackwardsInAMirrorImage) {
   std::reverse(image.vertices[0].begin(), image.vertices[0].end());
   EXPECT_EQ(of(image, 1, true), std::pair(Index{1}, Index{0})) << "the same edge";
   const PatternEdge none{.number = 5, .allowance = 5.0};
-  EXPECT_THROW(allowances_of_edges(leg, {&none, 1}), Error);
+  EXPECT_THROW(allowances_of_edges(leg, {&none, 1}, 10.0), Error);
   const PatternEdge named{.number = 2, .name = "side"};
   EXPECT_THAT(words_of_edges(leg, {&named, 1}),
               testing::ElementsAre("edge 1", "side", "edge 3", "edge 4"));

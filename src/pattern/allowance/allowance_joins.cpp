@@ -1,4 +1,4 @@
-#include "pattern/allowance_joins.h"
+#include "pattern/allowance/allowance_joins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -73,7 +73,7 @@ FLOORS = {
     "panels": [["panels/piece"], ["panels/cells"], ["panels/seams"], ["panels"]],
     "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern/allowance"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten/choices", "flatten/steps"], ["flatten"], ["flatten/product"]],
-    "sheet": [["sheet/piece"], ["sheet"], ["sheet/carry"]],
+    "sheet": [["sheet/piece"], ["sheet"], ["sheet/layout", "sheet/carry"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }
 

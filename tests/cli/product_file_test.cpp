@@ -1,6 +1,8 @@
 #include "product/product_file.h"
 
+#include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
@@ -59,6 +61,28 @@ TEST_F(ProductFileTest, HasAllThatIsSaid) {
   EXPECT_THAT(product.seams[0].between, ElementsAre("Front", "back"));
 }
 
+TEST_F(ProductFileTest, HasAPieceOfEachSize) {
+  const ProductFile product = read(R"({
+    "pieces": [{"name": "tip", "sizes": {"S": "tip-s.obj", "M": "tip-m.obj"}, "allowance": "8mm"},
+               {"name": "band", "sizes": {"M": "band-m.obj"}}],
+    "seams": [{"name": "edge", "between": ["tip", "band"]}]})");
+  ASSERT_EQ(product.pieces.size(), 3U);
+  EXPECT_THAT(product.sizes, testing::UnorderedElementsAre("S", "M"));
+  for (const RequestedPiece& piece : product.pieces) {
+    const std::string& size = product.sizes[piece.size];
+    EXPECT_EQ(piece.name, piece.style + "-" + size);
+    EXPECT_EQ(piece.settings.back().key, "size");
+    EXPECT_EQ(piece.settings.back().value, size);
+  }
+  ASSERT_EQ(product.seams.size(), 1U) << "of size M alone";
+  EXPECT_THAT(product.seams[0].between, ElementsAre("tip-M", "band-M"));
+  EXPECT_THAT(refusal(R"({"pieces": [{"name": "a", "sizes": {}}]})"), HasSubstr("pieces[0].sizes"));
+  EXPECT_THAT(refusal(R"({"pieces": [{"name": "a", "sizes": {"S": 3}}]})"), HasSubstr("sizes.S"));
+  EXPECT_THAT(refusal(R"({"pieces": [{"sizes": {"S": "a.obj"}}]})"), HasSubstr("needs \"name\""));
+  EXPECT_THAT(refusal(R"({"pieces": [{"name": "a", "file": "a.obj", "sizes": {"S": "a.obj"}}]})"),
+              HasSubstr("both given"));
+}
+
 TEST_F(ProductFileTest, HasPathsRelativeToItself) {
   std::filesystem::create_directories("suits");
   std::ofstream("suits/suit.json") << R"({"pieces": [{"file": "front.obj"}]})";
@@ -85,7 +109,7 @@ TEST_F(ProductFileTest, HasMaterialsOfTheirOwnFiles) {
 TEST_F(ProductFileTest, NamesKeysThatAreNotKnownAndThoseThatAre) {
   EXPECT_THAT(refusal(R"({"pieces": [{"file": "a.obj", "matrial": "neoprene"}]})"),
               HasSubstr("pieces[0]: unknown key \"matrial\"; did you mean material?; known are "
-                        "file, name, material, quantity, mirrored, unit, allowance, "));
+                        "file, name, material, quantity, mirrored, unit, sizes, allowance, "));
   EXPECT_THAT(refusal(R"({"parts": []})"), HasSubstr("product: unknown key \"parts\""));
   EXPECT_THAT(refusal(R"({"pieces": [{"file": "a"}], "seams": [{"nam": "x"}]})"),
               HasSubstr("seams[0]: unknown key \"nam\""));
@@ -172,6 +196,31 @@ TEST_F(ProductOfAFile, GetsNamesQuantitiesMaterialsAndSeams) {
   EXPECT_THAT(pattern, HasSubstr("Front"));
   EXPECT_THAT(pattern, HasSubstr("neoprene"));
   EXPECT_THAT(content_of("out/garment.html"), HasSubstr("<small>side</small>"));
+}
+
+TEST_F(ProductOfAFile, DrawsSizesOverEachOther) {
+  for (const auto& [size, scale] : {std::pair{"S", 1.0}, std::pair{"L", 1.25}}) {
+    TriMesh mesh = make_shape("dome", 300);
+    for (Vec3& p : mesh.positions)
+      p = scale * p;
+    write_mesh("tip-" + std::string(size) + ".obj", mesh);
+  }
+  std::ofstream("sizes.json") << R"({"pieces": [{"name": "tip", "allowance": "8mm",
+    "sizes": {"S": "tip-S.obj", "L": "tip-L.obj"}}]})";
+  const CliResult result = planish({"flatten", "sizes.json", "-o", "out", "--formats", "svg,dxf"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_TRUE(std::filesystem::exists("out/tip-S/pattern.svg"));
+  EXPECT_TRUE(std::filesystem::exists("out/sizes-tip.dxf"));
+  const std::string drawing = content_of("out/sizes-tip.svg");
+  EXPECT_NE(drawing.find("id=\"S\""), std::string::npos);
+  EXPECT_NE(drawing.find("id=\"L\""), std::string::npos);
+  EXPECT_NE(content_of("out/tip-L/pattern.svg").find("size L"), std::string::npos);
+  EXPECT_THAT(result.out, HasSubstr("no seams")) << "sizes are not sewn to each other";
+
+  write_mesh("tip-L.obj", make_shape("saddle", 300));
+  const CliResult other = planish({"flatten", "sizes.json", "-o", "out"});
+  EXPECT_EQ(other.exit_code, k_exit_failed);
+  EXPECT_THAT(other.err, HasSubstr("has other triangles than"));
 }
 
 TEST_F(ProductOfAFile, ResumesWhereTheFileSaysTheSame) {

@@ -21,6 +21,8 @@
 #include "flags/unfold_flags.h"
 #include "flags/units.h"
 #include "flatten/verdict.h"
+#include "layout/nest.h"
+#include "layout/sheet_sizes.h"
 #include "model/model_flags.h"
 #include "output/flatten_files.h"
 #include "output/machine.h"
@@ -31,11 +33,9 @@
 #include "platform/path.h"
 #include "product/cut_product.h"
 #include "product/job.h"
-#include "product/nest.h"
 #include "product/parts.h"
 #include "product/rename.h"
 #include "product/seams.h"
-#include "product/sizes.h"
 #include "shell/command_line.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -105,6 +105,7 @@ ProductJob product_job(FlattenRequest request, ProductInput input,
                  .places = std::move(input.places),
                  .is_batch = input.is_batch,
                  .seams = std::move(input.seams),
+                 .styles = std::move(input.styles),
                  .cut = cut,
                  .folder = request.folder,
                  .options = product_options_from(arguments, request.options, cut.has_value()),

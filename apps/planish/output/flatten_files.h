@@ -13,8 +13,8 @@
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_geometry.h>
 
+#include "layout/nest.h"
 #include "output/pattern_output.h"
-#include "product/nest.h"
 #include "shell/command.h"
 
 namespace planish::cli {

@@ -11,11 +11,12 @@
 
 #include "flags/annotation_flags.h"
 #include "flags/unfold_flags.h"
+#include "layout/nest.h"
+#include "layout/size_nests.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
 #include "piece/piece_keys.h"
 #include "platform/path.h"
-#include "product/nest.h"
 #include "product/rename.h"
 #include "product/seams.h"
 #include "product/state.h"
@@ -31,34 +32,6 @@
 namespace planish::cli {
 
 namespace {
-
-/// How several patches may have what a flag asks of one.
-std::string way_for_pieces(const std::string& flag) {
-  const std::string key = flag.substr(2);
-  return is_flag_of_piece(key) ? ", or ask for it with --piece NAME:" + key + "=..." : "";
-}
-
-void refuse_single_patch_flags(const Arguments& arguments) {
-  for (const char* flag :
-       {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches", "--marks",
-        "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
-    if (!arguments.has(flag)) continue;
-    throw UsageError("flag " + std::string(flag) +
-                     " goes with one patch only; the input has several: take one with --only NAME" +
-                     way_for_pieces(flag));
-  }
-}
-
-/// The seams of a mirror image are not known, as nothing says where it lies.
-void refuse_notches_of_mirrored(const std::vector<ProductPatch>& patches,
-                                const Arguments& arguments) {
-  const bool are_of_one_group = std::all_of(
-      patches.begin(), patches.end(), [](const ProductPatch& patch) { return patch.group == 0; });
-  if (are_of_one_group || !arguments.has("--seam-notches")) return;
-  throw UsageError(
-      "flag --seam-notches does not go with \"mirrored\" pieces: list the other one as a file of "
-      "its own");
-}
 
 /// One run over all patches.
 class ProductRun {
@@ -105,6 +78,8 @@ class ProductRun {
                                       PatternFormat::dxf) != job_.formats.end();
     if (writes_dxf && job_.output.dxf.profile != DxfProfile::generic)
       files.push_back({job_.folder / path_of("garment.dxf"), pieces_in_dxf()});
+    for (OutputFile& file : nests_of_sizes())
+      files.push_back(std::move(file));
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
             (nesting ? nesting->text : "") + pages.text + written_text(files) +
@@ -245,6 +220,14 @@ class ProductRun {
                          stem_of(job_.path), session_);
   }
 
+  /// Sizes of one piece over each other, where there are several.
+  std::vector<OutputFile> nests_of_sizes() const {
+    const auto has_sizes = [](const std::string& style) { return !style.empty(); };
+    if (std::none_of(job_.styles.begin(), job_.styles.end(), has_sizes)) return {};
+    return size_nest_files(patches_with_notches(), job_.styles, report_.unit, job_.formats,
+                           job_.output, job_.folder, session_);
+  }
+
   /// As apparel programs read them.
   std::string pieces_in_dxf() const {
     const NestJob pieces{patches_with_notches(), report_.unit};
@@ -360,82 +343,6 @@ class ProductRun {
 };
 
 }  // namespace
-
-std::vector<Flag> product_flags() {
-  return {
-      {"--product", "",
-       "take several files for the parts of one product: search for seams between them"},
-      rename_flag(),
-      piece_flag(),
-      {"--resume", "",
-       "of several patches, keep those whose results are there, whole and of the same job"},
-      {"--seam-tolerance",
-       "LENGTH",
-       "largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's "
-       "length)",
-       0,
-       false,
-       {.range = {.min = 0.0}}}};
-}
-
-void refuse_product_flags(const Arguments& arguments, bool is_of_several) {
-  std::vector<std::string> refused = {"--rename", "--resume"};
-  if (!is_of_several) refused.insert(refused.end(), {"--product", "--seam-tolerance"});
-  for (const std::string& flag : refused) {
-    if (!arguments.has(flag)) continue;
-    throw UsageError("flag " + flag + " goes with several patches; the input has one");
-  }
-}
-
-void refuse_seam_flags(const Arguments& arguments) {
-  for (const char* flag : {"--seam-notches", "--seam-tolerance"}) {
-    if (!arguments.has(flag)) continue;
-    throw UsageError("flag " + std::string(flag) +
-                     " goes with seams, and between the files of a batch none are searched; add "
-                     "--product where they are the parts of one product");
-  }
-}
-
-std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceRequest>& requests,
-                                                   const std::vector<ProductPatch>& patches,
-                                                   const Arguments& arguments) {
-  refuse_single_patch_flags(arguments);
-  refuse_notches_of_mirrored(patches, arguments);
-  std::vector<TriMesh> meshes;
-  std::vector<std::string> names;
-  std::vector<std::size_t> groups;
-  meshes.reserve(patches.size());
-  names.reserve(patches.size());
-  groups.reserve(patches.size());
-  for (const ProductPatch& patch : patches) {
-    meshes.push_back(patch.mesh);
-    names.push_back(patch.name);
-    groups.push_back(patch.group);
-  }
-  std::vector<std::vector<Notch>> notches = notches_on_seams(arguments, meshes, names);
-  const std::vector<Seam> seams =
-      find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments));
-  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes);
-  std::vector<PatternOptions> result;
-  result.reserve(requests.size());
-  for (const PieceRequest& request : requests)
-    result.push_back(request.annotations);
-  if (matches_seams_of_product(arguments)) {
-    for (const Seam& seam : seams) {
-      for (const SeamSide& side : seam.sides)
-        result[side.patch].curves.length_tolerance = k_length_tolerance_of_seams;
-    }
-  }
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    PieceLabel& label = result[p].label;
-    label.name = names[p];
-    if (label.fabric.empty()) label.fabric = patches[p].words.material;
-    if (patches[p].words.quantity > 0) label.quantity = patches[p].words.quantity;
-    result[p].notches.insert(result[p].notches.end(), notches[p].begin(), notches[p].end());
-    result[p].seam_numbers = std::move(numbers[p]);
-  }
-  return result;
-}
 
 CommandResult run_product(const ProductJob& job, const Arguments& arguments, Session& session) {
   ProductRun run(job, arguments, session);

@@ -27,11 +27,12 @@ struct NestRequest;
 struct ProductJob {
   std::string path;  ///< of the input, for people
   std::vector<ProductPatch> patches;
-  std::vector<PatchPlace> places;      ///< of each patch
-  bool is_batch = false;               ///< as ProductInput has it
-  std::vector<NamedSeam> seams = {};   ///< as ProductInput has them
-  std::optional<CutOutcome> cut = {};  ///< that made the patches; nothing where none was cut
-  std::filesystem::path folder;        ///< each patch's is in it
+  std::vector<PatchPlace> places;        ///< of each patch
+  bool is_batch = false;                 ///< as ProductInput has it
+  std::vector<NamedSeam> seams = {};     ///< as ProductInput has them
+  std::vector<std::string> styles = {};  ///< likewise
+  std::optional<CutOutcome> cut = {};    ///< that made the patches; nothing where none was cut
+  std::filesystem::path folder;          ///< each patch's is in it
   ProductOptions options;
   std::vector<PieceRequest> requests;       ///< of each patch, what is asked for it
   std::vector<PatternOptions> annotations;  ///< of each patch, with notches on seams

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -142,6 +143,7 @@ ProductInput input_of(AllPieces all, const Arguments& arguments, Session& sessio
       continue;
     }
     input.patches.push_back(piece.patch);
+    input.styles.push_back(piece.style);
     formats.push_back(piece.format);
   }
   input.places = places_of(input.patches, formats);
@@ -274,6 +276,24 @@ NamedSettings settings_of(const RequestedPiece& piece, const std::string& path) 
   return {name, piece.settings, path + ", piece " + name};
 }
 
+/// Refuses sizes of one piece whose meshes differ in more than their places.
+void check_sizes(const std::vector<ReadPiece>& pieces, const std::string& path) {
+  std::map<std::string, const ReadPiece*> first;
+  for (const ReadPiece& piece : pieces) {
+    if (piece.style.empty() || piece.is_image || piece.patch.failure) continue;
+    const ReadPiece& other = *first.try_emplace(piece.style, &piece).first->second;
+    const TriMesh &mesh = piece.patch.mesh, &mesh_of_other = other.patch.mesh;
+    if (mesh.triangles == mesh_of_other.triangles &&
+        mesh.positions.size() == mesh_of_other.positions.size())
+      continue;
+    throw Error(ErrorCode::malformed_file,
+                "\"" + piece.patch.name + "\" has other triangles than \"" + other.patch.name +
+                    "\": meshes of one piece in several sizes must have the same vertices and "
+                    "triangles in the same order, as notches and marks are given once for all",
+                {.path = path});
+  }
+}
+
 ProductInput read_described(Session& session, const std::string& path, const Arguments& arguments) {
   const ProductFile product = read_product_file(path);
   const std::vector<std::string> known = names_with_commas(product);
@@ -291,14 +311,20 @@ ProductInput read_described(Session& session, const std::string& path, const Arg
     const NamedSettings settings = settings_of(piece, path);
     if (!settings.settings.empty()) asked.push_back(settings);
     const bool is_out = stays_out(settings, arguments);
-    for (ReadPiece& read : own.pieces) {
+    for (std::size_t k = 0; k < own.pieces.size(); ++k) {
+      ReadPiece& read = own.pieces[k];
       read.is_taken = read.is_taken && !is_out;
+      read.patch.group = piece.size;
+      read.style = own.pieces.size() == 1 || piece.style.empty()
+                       ? piece.style
+                       : piece.style + "-" + std::to_string(k + 1);
       read.patch = with_words(std::move(read.patch), piece);
       all.pieces.push_back(std::move(read));
       if (!piece.mirrored || all.pieces.back().patch.failure) continue;
-      all.pieces.push_back(mirrored(all.pieces.back(), all.pieces.size()));
+      all.pieces.push_back(mirrored(all.pieces.back(), product.sizes.size() + all.pieces.size()));
     }
   }
+  check_sizes(all.pieces, path);
   ProductInput input = input_of(std::move(all), arguments, session);
   input.path = path;
   input.is_described = true;

@@ -35,8 +35,10 @@ struct ProductInput {
   bool is_described = false;
   std::vector<NamedSeam> seams = {};         ///< of a product that is described
   std::vector<NamedSettings> settings = {};  ///< of its pieces, which are there
-  std::optional<Plane> symmetric_in = {};    ///< that of --symmetric
-  std::vector<std::string> left_out = {};    ///< names of the pieces that flags leave out
+  /// Of each patch the name that all sizes of it have; empty for those of one size, and without.
+  std::vector<std::string> styles = {};
+  std::optional<Plane> symmetric_in = {};  ///< that of --symmetric
+  std::vector<std::string> left_out = {};  ///< names of the pieces that flags leave out
 };
 
 /// Reads mesh files, all mesh files of folders in the order of their names, or those that a product

@@ -58,8 +58,8 @@ std::optional<Unit> unit_of(const JsonEntry& entry) {
 
 /// Keys that have places of their own in RequestedPiece.
 const std::vector<std::string>& own_keys() {
-  static const std::vector<std::string> keys = {"file",     "name",     "material",
-                                                "quantity", "mirrored", "unit"};
+  static const std::vector<std::string> keys = {"file",     "name", "material", "quantity",
+                                                "mirrored", "unit", "sizes"};
   return keys;
 }
 
@@ -101,11 +101,11 @@ std::vector<PieceSetting> settings_of(const Json& json, const JsonEntry& entry,
   return settings;
 }
 
-RequestedPiece piece_of(const Json& json, const std::string& where, const fs::path& folder) {
-  const JsonEntry entry(json, where, keys_of(json));
+RequestedPiece piece_of(const Json& json, const JsonEntry& entry, const std::string& file,
+                        const fs::path& folder) {
   const Json* mirrored = entry.find("mirrored");
   const bool is_count = mirrored != nullptr && mirrored->is_number_unsigned();
-  RequestedPiece piece{.file = utf8_of(folder / path_of(entry.required_text("file"))),
+  RequestedPiece piece{.file = utf8_of(folder / path_of(file)),
                        .name = entry.text("name"),
                        .material = material_of(entry, folder),
                        .unit = unit_of(entry),
@@ -115,6 +115,56 @@ RequestedPiece piece_of(const Json& json, const std::string& where, const fs::pa
   if (piece.mirrored && piece.quantity.value_or(2) % 2 != 0)
     refuse(entry.where("quantity"), "must be even where half of the pieces are mirrored");
   return piece;
+}
+
+/// Of each size one, called "NAME-SIZE".
+std::vector<RequestedPiece> sizes_of(const Json& json, const JsonEntry& entry,
+                                     const fs::path& folder, std::vector<std::string>& sizes) {
+  const Json& files = *entry.find("sizes");
+  if (!files.is_object() || files.empty())
+    refuse(entry.where("sizes"), "must name a file for each size: {\"54\": \"tip-54.obj\"}");
+  if (entry.find("file") != nullptr)
+    refuse(entry.where("file"), "and sizes are both given: leave one of them away");
+  const std::string style = entry.required_text("name");
+  std::vector<RequestedPiece> pieces;
+  for (const auto& [size, file] : files.items()) {
+    if (!file.is_string()) refuse(entry.where("sizes") + "." + size, "must be the path of a file");
+    RequestedPiece& piece =
+        pieces.emplace_back(piece_of(json, entry, file.get<std::string>(), folder));
+    piece.name = style + "-" + size;
+    piece.style = style;
+    piece.size =
+        static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), size) - sizes.begin());
+    if (piece.size == sizes.size()) sizes.push_back(size);
+    piece.settings.push_back({"size", size});
+  }
+  return pieces;
+}
+
+/// One, or of several sizes one of each.
+std::vector<RequestedPiece> pieces_of(const Json& json, const std::string& where,
+                                      const fs::path& folder, std::vector<std::string>& sizes) {
+  const JsonEntry entry(json, where, keys_of(json));
+  if (entry.find("sizes") != nullptr) return sizes_of(json, entry, folder, sizes);
+  return {piece_of(json, entry, entry.required_text("file"), folder)};
+}
+
+/// A seam between pieces of several sizes is one in each size.
+std::vector<NamedSeam> seams_in_sizes(const NamedSeam& seam,
+                                      const std::vector<RequestedPiece>& pieces,
+                                      const std::vector<std::string>& sizes) {
+  const auto is_called = [&](const std::string& name) {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](const RequestedPiece& piece) { return piece.name == name; });
+  };
+  std::vector<NamedSeam> seams;
+  for (const std::string& size : sizes) {
+    NamedSeam own = seam;
+    for (std::string& name : own.between)
+      name += "-" + size;
+    if (is_called(own.between[0]) && is_called(own.between[1])) seams.push_back(std::move(own));
+  }
+  return seams.empty() ? std::vector<NamedSeam>{seam} : seams;
 }
 
 NamedSeam seam_of(const Json& json, const std::string& where) {
@@ -144,9 +194,9 @@ std::string place_in(std::string_view list, std::size_t k) {
 
 void refuse_equal_names(const std::vector<RequestedPiece>& pieces) {
   std::set<std::string> names;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (pieces[k].name && !names.insert(*pieces[k].name).second)
-      refuse(place_in("pieces", k) + ".name", "\"" + *pieces[k].name + "\" is already taken");
+  for (const RequestedPiece& piece : pieces) {
+    if (piece.name && !names.insert(*piece.name).second)
+      refuse(place_in("pieces", piece.entry) + ".name", "\"" + *piece.name + "\" is already taken");
   }
 }
 
@@ -157,10 +207,18 @@ ProductFile product_of(const Json& json, const fs::path& folder) {
   const Json& seams = list_in(entry, "seams");
   if (pieces.empty()) refuse("pieces", "must list at least one piece");
   ProductFile product;
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    product.pieces.push_back(piece_of(pieces[k], place_in("pieces", k), folder));
-  for (std::size_t k = 0; k < seams.size(); ++k)
-    product.seams.push_back(seam_of(seams[k], place_in("seams", k)));
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    for (RequestedPiece& piece :
+         pieces_of(pieces[k], place_in("pieces", k), folder, product.sizes)) {
+      piece.entry = k;
+      product.pieces.push_back(std::move(piece));
+    }
+  }
+  for (std::size_t k = 0; k < seams.size(); ++k) {
+    const NamedSeam seam = seam_of(seams[k], place_in("seams", k));
+    for (NamedSeam& own : seams_in_sizes(seam, product.pieces, product.sizes))
+      product.seams.push_back(std::move(own));
+  }
   refuse_equal_names(product.pieces);
   return product;
 }

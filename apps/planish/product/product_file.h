@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct RequestedPiece {
   std::optional<Unit> unit;                 ///< of the numbers in the file
   std::optional<int> quantity;              ///< how many to cut, the mirrored ones among them
   bool mirrored = false;                    ///< half of them are mirror images
+  std::string style = {};                   ///< name that all sizes of it have; empty for one size
+  std::size_t size = 0;                     ///< number of its size, from 0
+  std::size_t entry = 0;                    ///< of the list in the file, from 0
   std::vector<PieceSetting> settings = {};  ///< all others, as those of --piece
 };
 
@@ -31,8 +35,9 @@ struct NamedSeam {
 
 /// A product as a file describes it.
 struct ProductFile {
-  std::vector<RequestedPiece> pieces;  ///< at least one
-  std::vector<NamedSeam> seams;        ///< in the order in which seams between two pieces get them
+  std::vector<RequestedPiece> pieces;   ///< at least one
+  std::vector<NamedSeam> seams;         ///< in the order in which seams between two pieces get them
+  std::vector<std::string> sizes = {};  ///< of all pieces, in the order of the file
 };
 
 /// Whether the path is that of a product file: one that ends with .json.

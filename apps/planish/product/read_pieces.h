@@ -20,7 +20,8 @@ struct ReadPiece {
   std::string in_file = {};  ///< its name there; in the product it may have another
   /// Names that several pieces have together, as a piece and its mirror image.
   std::vector<std::string> asked_as = {};
-  bool is_image = false;  ///< the mirror image of the one before it
+  bool is_image = false;   ///< the mirror image of the one before it
+  std::string style = {};  ///< name that all sizes of it have; empty for one size
 };
 
 /// What stands for the pieces of a file that cannot be read.

@@ -101,6 +101,14 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
 Drawing page_sheet(NestJob job, const PageOptions& pages, const std::string& title,
                    const Context& context = {});
 
+/// Sizes of one piece over each other, each moved onto the middle one so that the sum of the
+/// squares of the distances between vertices of one number is least. Each has a layer of its size's
+/// name with its lines in one colour; "label" has the title, the sizes in their colours, and a
+/// square of 50 mm.
+/// @param sizes in their order, of meshes with the same triangles, each with a pattern
+/// @throws Error option_out_of_range for other triangles; as pattern_geometry()
+Drawing size_nest(std::span<const NestPatch> sizes, Unit unit, const std::string& title);
+
 /// A layout on which nothing is cut twice: where cut lines lie on each other to 0.001 mm, as
 /// without a gap, that of the piece drawn first stays, and the border of the sheet is left out
 /// where a cut line lies on it. What is left of a closed line is open lines, so formats whose

@@ -12,7 +12,7 @@
 #include "core/job.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
-#include "sheet/laid_pieces.h"
+#include "sheet/layout/laid_pieces.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {

@@ -14,7 +14,7 @@
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
-#include "sheet/laid_pieces.h"
+#include "sheet/layout/laid_pieces.h"
 #include "sheet/piece/placed_pattern.h"
 #include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"

@@ -1,4 +1,4 @@
-#include "product/sizes.h"
+#include "layout/sheet_sizes.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "product/nest.h"
+#include "layout/nest.h"
 
 #include <algorithm>
 #include <array>

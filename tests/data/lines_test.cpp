@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lines/line_checks.h"
+#include "lines/random_lines.h"
 #include "mesh/mean_edge.h"
 #include "support/test_files.h"
 
@@ -91,6 +92,21 @@ class LinesOnTheHull : public WithProducts<> {};
 TEST_F(LinesOnTheHull, AreFairAlongChines) {
   const Patch patch = product("hull");
   expect_fair(patch, crease_lines(patch, 30.0), std::nullopt);
+}
+
+class LinesOnTheDress : public WithFolder<testing::Test> {
+ protected:
+  LinesOnTheDress() : WithFolder<testing::Test>("patches") {}
+};
+
+// Stars and spirals around a long triangle: widening an angle there once put a point onto the end
+// of a line.
+TEST_F(LinesOnTheDress, GiveNoEdgesWithoutALength) {
+  const Patch patch(read_mesh(test_folder() / "patches" / "dress_front_5k.obj").mesh);
+  lines::Drawer drawer(patch, 786);
+  const std::vector<SurfaceLine> drawn = drawer.lines(lines::Kind::crossing, 10);
+  lines::Figures figures;
+  EXPECT_EQ(lines::wrong_imprint(patch, drawn, imprint(patch, drawn), figures), "");
 }
 
 }  // namespace

@@ -310,6 +310,7 @@ bool Imprinter::widen(Index triangle, const WidenedBy& by) {
       return divide_edge(*half, at.nodes[a], at.nodes[b], by.share);
     if (!at.inside.is_segment(a, b)) return false;
     const Vec2 from = at.inside.place(a), to = at.inside.place(b);
+    if (std::min(by.share, 1.0 - by.share) * norm(to - from) < finest_) return false;
     if (at.inside.distance_to_corner(from + by.share * (to - from)) < finest_) return false;
     at.inside.divide(a, b, by.share);
   } else {

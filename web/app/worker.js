@@ -77,14 +77,14 @@ class Program {
     return this.module.run(words, this.told);
   }
 
-  /** @param {string} name */
-  openSurface(name) {
-    return checked(this.module.openSurface(name));
+  /** @param {string[]} names */
+  openSurface(names) {
+    return checked(this.module.openSurface(names));
   }
 
-  /** @param {string} name */
-  openSketch(name) {
-    return checked(this.module.openSketch(name));
+  /** @param {string[]} names */
+  openSketch(names) {
+    return checked(this.module.openSketch(names));
   }
 
   /** @param {string[]} words */

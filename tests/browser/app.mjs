@@ -104,7 +104,7 @@ export const patternOfFile = (project, models) => patternOf(project, models, ['f
 // All patterns that the page gives, against what the program writes.
 export async function expectZipOf(page, ...owns) {
   const zip = unzipped(await downloaded(page, '[data-download=zip]'));
-  const paths = [...zip.keys()].filter((path) => /\.(svg|dxf|pdf|plt|obj)$/.test(path));
+  const paths = [...zip.keys()].filter((path) => /\.(svg|dxf|pdf|plt|obj|ply|off|stl)$/.test(path));
   assert.ok(paths.length > 4, String([...zip.keys()]));
   for (const own of owns) {
     for (const path of paths) assert.ok(zip.get(path).equals(own(path)), path);

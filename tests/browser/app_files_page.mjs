@@ -55,6 +55,17 @@ test('files that are dropped together are the parts of one product', () =>
     assert.deepEqual(await savedProject(page), left);
   }));
 
+for (const ending of ['ply', 'off', 'stl']) {
+  test(`a model of .${ending} is shown with its pattern, which is that of the program`, () =>
+    withApp({}, async (page) => {
+      const model = place(`some.${ending}`);
+      planish('convert', 'dome.obj', model);
+      await makes(page, () => drop(page, model));
+      await page.waitForSelector('[aria-label="Pattern of some"]');
+      await expectZipOf(page, patternOf(await savedProject(page), model));
+    }));
+}
+
 test('the grain runs from one click to the next, in the pattern as well', () =>
   withApp({}, async (page) => {
     await makes(page, () => drop(page, products[0]));
@@ -114,7 +125,7 @@ test('a report opens the app and hands its model over', async () => {
     app.on('console', (message) => complaints.push(message.text()));
     await app.waitForSelector('#app[data-made]', { timeout: 60000 });
     await expectWholeProject(app);
-    assert.equal(await page.textContent('.app [role=status]'), 'The app has it.');
+    assert.equal(await page.textContent('.app [role=status]'), 'The app has taken the model.');
     const project = readProject((await downloaded(page, '#project')).toString());
     assert.equal(project.model, 'dome.obj');
     assert.deepEqual(complaints, []);
@@ -137,7 +148,7 @@ test('a report says where it looks for the app, and gives its model to no page o
     await app.goto('https://example.org/').catch(() => {});
     await app.waitForTimeout(500);
     assert.notEqual(await app.title(), 'stolen');
-    assert.match(await page.textContent('.app [role=status]'), /The app opens from planish\.html/);
+    assert.match(await page.textContent('.app [role=status]'), /The app should lie at planish\.html/);
   } finally {
     await context.close();
   }

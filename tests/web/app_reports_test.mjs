@@ -52,7 +52,9 @@ test('of one piece the model is what came in', () => {
 
 test('what is no report is refused in words', () => {
   assert.throws(() => readReport('<p>Hello</p>'), /no model/);
-  assert.throws(() => opened(readReport(page('{'))), /damaged/);
+  for (const damaged of ['{', '{}', 'null', '{"states": {"names": 3}}']) {
+    assert.throws(() => opened(readReport(page(damaged))), /damaged/);
+  }
   const hostile = { ...readReport(page('{}')), project: 'data:application/json;base64,e30=' };
   assert.throws(() => opened({ ...hostile, data: JSON.stringify(packed) }), /no project/);
 });

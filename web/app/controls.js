@@ -227,7 +227,7 @@ export class PatternPart {
   /** @param {(change: Partial<Project>) => void} changed */
   constructor(changed) {
     this.material = make('select');
-    this.material.append(new Option('none: my form, and where it stretches', ''));
+    this.material.append(new Option('none: my form', ''));
     this.strain = make('input', { type: 'text', inputMode: 'decimal', placeholder: 'none', size: 6 });
     this.allowance = make('input', { type: 'text', inputMode: 'decimal', placeholder: 'none', size: 6 });
     this.paper = make('select');

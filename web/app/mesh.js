@@ -113,9 +113,9 @@ export function rowsOf(sizes, gap) {
 }
 
 const things = /** @type {[number, string][]} */ ([
-  [12, 'a fingernail'],
+  [12, 'a pea'],
   [35, 'a coin'],
-  [100, 'a matchbox'],
+  [100, 'an egg'],
   [220, 'a hand'],
   [400, 'a ruler'],
   [800, 'an arm'],

@@ -63,9 +63,10 @@ function objOf(packed) {
  * @param {HandedOver} report
  */
 export function opened({ data, project: address, without, title }) {
-  let packed;
+  let packed, obj;
   try {
     packed = JSON.parse(data);
+    obj = objOf(packed);
   } catch {
     throw new Error('the report is damaged: its model cannot be read');
   }
@@ -75,7 +76,7 @@ export function opened({ data, project: address, without, title }) {
   const { material, strain, allowance, paper, grain } = asked ?? newProject('', '');
   return {
     name: `${name}-report.obj`,
-    bytes: new TextEncoder().encode(objOf(packed)),
+    bytes: new TextEncoder().encode(obj),
     options: { unit: String(packed.unit), material, strain, allowance, paper, grain },
     asked,
     words: wordsOn(packed.vertices < packed.of, asked, without),

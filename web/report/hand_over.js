@@ -21,13 +21,13 @@ export function offerApp(links, data) {
     const project = links.querySelector('a')?.getAttribute('href') ?? '';
     const without = links.querySelector('small')?.textContent ?? '';
     event.ports[0]?.postMessage({ data, project, without, title: document.title });
-    status.textContent = 'The app has it.';
+    status.textContent = 'The app has taken the model.';
   });
   button.addEventListener('click', () => {
     app = open(place);
     status.textContent =
-      `The app opens from ${place}, seen from this report. If it is not there: planish app writes it, and a report ` +
-      'can be dropped onto it wherever it is.';
+      `The app should lie at ${place}, seen from this report. If nothing opens, write it there with "planish app", or ` +
+      'open the app elsewhere and drop this report onto it.';
   });
   links.prepend(button);
   links.append(status);

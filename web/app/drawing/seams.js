@@ -74,6 +74,9 @@ export class Seams {
     this.chosen = -1;
     this.show();
     this.app.stage?.view.canvas.focus({ preventScroll: true });
+    // On a phone the model may be above, and the hint is below it.
+    this.app.frame.place.scrollIntoView({ block: 'nearest' });
+    this.app.say('Tap or click points on the model; the last one twice to end the line.');
   }
 
   /** Ends the line that is being drawn; of two points or more it becomes a seam. */

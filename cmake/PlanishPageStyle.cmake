@@ -3,7 +3,7 @@
 # Called where the target is made: elsewhere CMake would not see how the source comes about.
 function(planish_page_style target)
   set(web "${PROJECT_SOURCE_DIR}/web")
-  foreach(sheet report/page report/layout viewer/viewer report/panel report/pieces report/limit report/product)
+  foreach(sheet report/base report/page report/layout viewer/viewer report/panel report/pieces report/limit report/product)
     set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${web}/${sheet}.css")
     cmake_path(GET sheet FILENAME name)
     file(READ "${web}/${sheet}.css" ${name}_css)

@@ -55,8 +55,9 @@ const scripts = packed([`${code}\n${await bundled('worker.js')}`, pageScript, sc
 const program = divided(readFileSync(join(wasm, 'planish_module.wasm')))
   .map((part) => packed(part, ',pb=0,lc=4'))
   .join(' ');
-const styles = ['report/page.css', 'viewer/viewer.css', 'app/app.css'];
-const style = styles.map((path) => readFileSync(join(here, path), 'utf8')).join('\n');
+const styles = ['report/base.css', 'viewer/viewer.css', 'app/app.css'];
+const rules = styles.map((path) => readFileSync(join(here, path), 'utf8')).join('\n');
+const { code: style } = await esbuild.transform(rules, { loader: 'css', minify: true, charset: 'ascii', target: 'es2022' });
 if (start.includes('</script') || start.includes('<!--')) throw new Error('the bundle would end its script');
 
 const policy = [

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { crc32 } from 'node:zlib';
 
-import { colorLimit, joined, likelyUnit, rowsOf, sizeText, vertexStrain } from '../../web/app/mesh.js';
-import { simplified } from '../../web/app/simplify.js';
+import { colorLimit, flatDirection, joined, likelyUnit, rowsOf, sizeText, vertexStrain } from '../../web/app/mesh.js';
+import { simplified } from '../../web/app/drawing/simplify.js';
 import { zipOf } from '../../web/app/packing/zip.js';
 
 test('the strain of a vertex is the mean around it', () => {
@@ -34,6 +34,21 @@ test('pieces become one mesh, numbered through', () => {
   assert.deepEqual([...ways], [-2, 0, 0, 2, 0, 0], 'away from the middle');
 });
 
+test('a direction on the model is turned into the pattern as its triangles are', () => {
+  // Lies in the plane y = 2, and in the pattern a quarter turn further on.
+  const piece = {
+    name: 'a',
+    figures: null,
+    positions: new Float32Array([0, 2, 0, 3, 2, 0, 0, 2, 1, 3, 2, 1]),
+    flat: new Float32Array([0, 0, 0, 0, 3, 0, -1, 0, 0, -1, 3, 0]),
+    triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
+    strain: new Float32Array(2),
+  };
+  const [x, y] = flatDirection(piece, [0.8, 5, 0.6]);
+  assert.ok(Math.abs(x / y + 0.6 / 0.8) < 1e-6, `${x} ${y}`);
+  assert.ok(y > 0);
+});
+
 test('pieces in rows do not overlap and fill the sheet', () => {
   const sizes = Array.from({ length: 17 }, (_, i) => ({ width: 10 + ((7 * i) % 13), height: 5 + ((5 * i) % 11) }));
   const { places, width, height } = rowsOf(sizes, 2);
@@ -52,8 +67,8 @@ test('pieces in rows do not overlap and fill the sheet', () => {
 test('sizes in words', () => {
   const hat = new Float32Array([0, 0, 0, 1.88, 1, 2.51]);
   assert.equal(sizeText(hat, 'dm').size, '19 × 10 × 25 cm');
-  assert.equal(sizeText(hat, 'dm').words, 'as a ruler');
-  assert.equal(sizeText(hat, 'm').words, 'as a car');
+  assert.equal(sizeText(hat, 'dm').words, 'a ruler');
+  assert.equal(sizeText(hat, 'm').words, 'a car');
   assert.equal(likelyUnit(hat), 'dm');
 });
 

@@ -5,11 +5,13 @@ import test from 'node:test';
 import {
   History,
   cutsOf,
+  dartsWords,
   drawnText,
   filesOf,
   flattenWords,
   lineWord,
   linesOf,
+  modelFiles,
   newProject,
   panelsWords,
   projectText,
@@ -33,13 +35,14 @@ const hat = {
   allowance: '10mm',
   symmetric: 'x=-0.5',
   notches: [[0, 0, 1], [0.25, 1, 0]],
+  grain: '0,0.6,-0.8',
 };
 
 test('a project is a command line of the program', () => {
   assert.deepEqual(flattenWords(hat, 'out'), [
     'flatten', 'hat.obj', '--unit', 'dm', '--cut', 'line 0,0,1 0.5,2,-1e-7', '--cut', 'seams.obj',
     '--symmetric', 'x=-0.5', '--mirror-surface', '--rename', 'hat-1=crown', '--without', 'hat-3',
-    '--allowance', '10mm', '--seam-notches', 'notches.obj', ...all, '-o', 'out',
+    '--allowance', '10mm', '--seam-notches', 'notches.obj', '--grain', '0,0.6,-0.8', ...all, '-o', 'out',
   ]);
   assert.deepEqual(flattenWords(newProject('a.ply', ''), 'out'), ['flatten', 'a.ply', ...all, '-o', 'out']);
 });
@@ -49,6 +52,19 @@ test('a quick look is cut as the pattern is', () => {
     'flatten', 'hat.obj', '--cut', 'line 0,0,1 0.5,2,-1e-7', '--cut', 'seams.obj', '--symmetric', 'x=-0.5', '--mirror-surface',
   ]);
   assert.ok(!sketchWords({ ...hat, symmetric: 'auto' }).includes('--mirror-surface'));
+});
+
+test('several files are the parts of one product', () => {
+  const product = { ...newProject('a.obj', '1'), parts: [{ model: 'b.obj', hash: '2' }], unit: 'm' };
+  assert.deepEqual(flattenWords(product, 'out'), ['flatten', 'a.obj', 'b.obj', '--product', '--unit', 'm', ...all, '-o', 'out']);
+  assert.deepEqual(modelFiles(product), [{ model: 'a.obj', hash: '1' }, { model: 'b.obj', hash: '2' }]);
+  assert.deepEqual(readProject(projectText(product)), product);
+});
+
+test('darts are proposed for the file that is named', () => {
+  assert.deepEqual(dartsWords(hat, 'piece.obj', '5%'), [
+    'suggest-cuts', 'piece.obj', '--unit', 'dm', '--max-strain', '5%', '-o', 'darts.txt',
+  ]);
 });
 
 test('the files that words name are there', () => {
@@ -98,6 +114,8 @@ test('files that are no project are refused with words', () => {
     [JSON.stringify({ ...packed(), unit: 'ell' }), /unit/],
     [JSON.stringify({ ...packed(), model: 7 }), /model/],
     [JSON.stringify({ ...packed(), symmetric: '; rm' }), /plane/],
+    [JSON.stringify({ ...packed(), grain: '0,0; rm' }), /grain/],
+    [JSON.stringify({ ...packed(), parts: 'all' }), /lists/],
     [JSON.stringify({ ...packed(), notches: [[0, 0]] }), /notch/],
     [JSON.stringify({ ...packed(), names: { 'hat-1': 'a\nb' } }), /name/],
     [JSON.stringify({ ...packed(), lines: {} }), /lists/],
@@ -111,9 +129,9 @@ test('files that are no project are refused with words', () => {
 });
 
 test('a project file without the later keys is read', () => {
-  const { symmetric, notches, ...packed } = JSON.parse(projectText(hat));
-  assert.ok(symmetric && notches);
-  assert.deepEqual(readProject(JSON.stringify(packed)), { ...hat, symmetric: '', notches: [] });
+  const { symmetric, notches, parts, grain, ...packed } = JSON.parse(projectText(hat));
+  assert.ok(symmetric && notches && parts && grain);
+  assert.deepEqual(readProject(JSON.stringify(packed)), { ...hat, symmetric: '', notches: [], grain: '' });
 });
 
 test('what a project file has beside is dropped', () => {

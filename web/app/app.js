@@ -5,22 +5,17 @@ import { spaceCanvas } from '../viewer/patch_view.js';
 import { download } from './downloads.js';
 import { Ended } from './engine.js';
 import { Frame } from './frame.js';
+import { Grain } from './drawing/grain.js';
 import { Keeping } from './keeping.js';
 import { Live } from './live.js';
-import { likelyUnit } from './mesh.js';
-import { Notches } from './notches.js';
+import { millimetres } from './mesh.js';
+import { Notches } from './drawing/notches.js';
+import { Opening } from './opening.js';
 import { Picture, tintOf } from './picture.js';
-import {
-  History,
-  filesOf,
-  flattenWords,
-  newProject,
-  projectText,
-  readProject,
-} from './project.js';
-import { Seams } from './seams.js';
+import { History, filesOf, flattenWords, modelFiles, newProject, projectText } from './project.js';
+import { Seams } from './drawing/seams.js';
 import { Stage } from './stage.js';
-import { errorOf, fileName, hashOf, lineHint, stages } from './words.js';
+import { errorOf, lineHint, stages, titleOf } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Outcome} Outcome */
@@ -54,8 +49,10 @@ export class App {
     /** @type {Promise<void>} */
     this.running = Promise.resolve();
     this.keeping = new Keeping();
+    this.opening = new Opening(this);
     this.seams = new Seams(this);
     this.notches = new Notches(this);
+    this.grain = new Grain(this);
     this.root = root;
     this.frame = new Frame(root, this);
     this.picture = new Picture(this.frame, this.maps);
@@ -64,7 +61,7 @@ export class App {
     });
     this.listen(root);
     jobs.onProgress = (progress) => this.showProgress(progress);
-    void this.begin();
+    void this.start();
   }
 
   get project() {
@@ -75,38 +72,13 @@ export class App {
     return this.picture.stage;
   }
 
-  async begin() {
+  async start() {
     try {
       this.maps.set('diverging', await this.pen.call('colorMap', 'diverging'));
       const { out: text } = await this.jobs.call('run', ['materials', '--json']);
       this.frame.patternPart.offer(JSON.parse(text).materials);
-      await this.offerEarlier();
+      await this.opening.begin();
       this.root.dataset.ready = 'yes';
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  /** Offers what earlier tabs left. */
-  async offerEarlier() {
-    const { keeping } = this;
-    const canKeep = await keeping.open();
-    const works = (await keeping.earlier()).map(({ name, time, bytes, project }) => ({
-      text: `${name}, ${new Date(time).toLocaleString()}`,
-      open: () => void this.goOn(name, bytes, project),
-    }));
-    this.frame.keepingPart.show(canKeep, keeping.isWanted, works);
-  }
-
-  /**
-   * @param {string} name
-   * @param {Uint8Array<ArrayBuffer>} bytes
-   * @param {string} project
-   */
-  async goOn(name, bytes, project) {
-    try {
-      await this.openModel(name, bytes);
-      await this.openProject(project);
     } catch (error) {
       this.fail(error);
     }
@@ -124,8 +96,8 @@ export class App {
     addEventListener('drop', (event) => {
       event.preventDefault();
       root.classList.remove('dropping');
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.take(file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) void this.opening.take(files);
     });
     addEventListener('keydown', (event) => {
       const isText = event.target instanceof HTMLInputElement && event.target.type === 'text';
@@ -140,72 +112,17 @@ export class App {
   }
 
   /**
-   * Takes a file that was dropped or chosen: a model or a project.
-   * @param {File} file
+   * Goes on with another model.
+   * @param {Surface} surface
+   * @param {History} history
    */
-  async take(file) {
-    try {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      if (file.name.toLowerCase().endsWith('.json')) await this.openProject(new TextDecoder().decode(bytes));
-      else await this.openModel(fileName(file.name), bytes);
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  /** @param {string} name */
-  async openSample(name) {
-    try {
-      await this.interrupt();
-      this.say('Making the sample');
-      const file = `${name}.obj`;
-      const run = await this.jobs.call('run', ['sample', name, '--vertices', '1500', '-o', file]);
-      if (run.code !== 0) throw new Error(errorOf(run.err));
-      const [[, bytes]] = await this.jobs.call('files', file);
-      await this.openModel(file, bytes);
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  /**
-   * @param {string} name
-   * @param {Uint8Array<ArrayBuffer>} bytes
-   */
-  async openModel(name, bytes) {
-    await this.interrupt();
-    this.frame.alert.hidden = true;
-    this.say(`Reading ${name}`);
-    const hash = await hashOf(bytes);
-    const kept = bytes.slice();
-    await this.pen.write(name, bytes.slice());
-    /** @type {Surface} */
-    const surface = await this.pen.call('openSurface', name);
-    for (const engine of [this.jobs, this.pen]) {
-      for (const other of [...engine.files.keys()].filter((file) => file !== name)) await engine.remove(other);
-    }
-    void this.live.open(name, bytes.slice()).then(() => this.live.ask(this.seams.asShown()), () => {});
-    await this.jobs.write(name, bytes);
+  begin(surface, history) {
     this.surface = surface;
-    this.keeping.model = { name, bytes: kept };
-    const unit = surface.unit || likelyUnit(surface.positions);
-    this.history = new History({ ...newProject(name, hash), unit });
+    this.history = history;
     this.outcome = null;
     this.seams.reset();
     this.showModel();
     this.refresh();
-  }
-
-  /** @param {string} text */
-  async openProject(text) {
-    const project = readProject(text);
-    if (!this.surface || this.project.hash !== project.hash) {
-      if (!this.surface || this.project.model !== project.model) {
-        throw new Error(`this project is of the model ${project.model}: drop that first, then the project`);
-      }
-      throw new Error(`this project is of another ${project.model} than the one that is open`);
-    }
-    this.commit({ ...project, model: this.project.model });
   }
 
   showModel() {
@@ -216,7 +133,7 @@ export class App {
     if (space) {
       const stage = new Stage(space, surface, this.maps, {
         hovered: (vertex) => this.picture.mark(vertex),
-        clicked: (place, line) => (this.notches.isOn ? this.notches : this.seams).click(place, line),
+        clicked: (place, line) => this.click(place, line),
         unnotched: (index) => this.notches.remove(index),
         moved: (index, place, isDone) => this.seams.movePoint(index, place, isDone),
         removed: (index) => this.seams.removePoint(index),
@@ -229,8 +146,9 @@ export class App {
       const textContent = 'This browser cannot draw in space (no WebGL). Patterns can be made all the same.';
       this.frame.place.replaceChildren(make('p', { className: 'empty', textContent }));
     }
+    this.note('');
     const count = surface.positions.length / 3;
-    this.frame.title.textContent = `${this.project.model} · ${countText(count)} vertices`;
+    this.frame.title.textContent = `${titleOf(modelFiles(this.project).map(({ model }) => model))} · ${countText(count)} vertices`;
     if (count > much) {
       this.warn(
         `This model has ${countText(count)} vertices: a pattern takes minutes here, and some ` +
@@ -243,6 +161,16 @@ export class App {
     this.frame.saveButton.disabled = false;
     this.frame.verdict.textContent = '';
     this.frame.downloads.show(this.project, null, out);
+  }
+
+  /**
+   * @param {import('./project.js').Point | null} place on the surface
+   * @param {number} line that is there, or -1
+   */
+  click(place, line) {
+    if (this.grain.isOn) this.grain.click(place);
+    else if (this.notches.isOn) this.notches.click(place, line);
+    else this.seams.click(place, line);
   }
 
   /** @param {Partial<Project>} change of the project, that can be undone */
@@ -401,9 +329,10 @@ export class App {
     const { outcome } = this;
     if (!outcome) return;
     const own = new Map(Object.entries(project.names).map(([old, name]) => [name, old]));
+    const mm = millimetres.get(project.unit || this.surface?.unit || 'mm') ?? 1;
     const made = outcome.pieces.map(({ name, figures }, k) => ({
       own: own.get(name) ?? name,
-      size: figures?.width ? `${Math.round(figures.width)} × ${Math.round(figures.height)} mm` : '',
+      size: figures?.width ? `${Math.round(mm * figures.width)} × ${Math.round(mm * figures.height)} mm` : '',
       color: colorOf(tintOf(k)),
     }));
     const left = project.without.map((name) => ({ own: name, size: 'left out', color: 'transparent' }));
@@ -419,6 +348,12 @@ export class App {
   /** @param {string} text */
   say(text) {
     this.frame.status.textContent = text;
+  }
+
+  /** @param {string} text that stays until another model is opened; '' for none */
+  note(text) {
+    this.frame.note.textContent = text;
+    this.frame.note.hidden = text === '';
   }
 
   /** @param {string} text */

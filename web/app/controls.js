@@ -53,21 +53,21 @@ function labelled(text, field, hint = '') {
 /** Where a file is dropped or picked. */
 export class FilePart {
   /**
-   * @param {(file: File) => void} opened
+   * @param {(files: File[]) => void} opened
    * @param {(sample: string) => void} chosen
    */
   constructor(opened, chosen) {
-    const input = make('input', { type: 'file', accept: '.obj,.ply,.stl,.off,.json', className: 'unseen' });
+    const input = make('input', { type: 'file', multiple: true, accept: '.obj,.ply,.stl,.off,.json,.html', className: 'unseen' });
     input.addEventListener('change', () => {
-      const file = input.files?.[0];
+      const files = [...(input.files ?? [])];
       input.value = '';
-      if (file) opened(file);
+      if (files.length > 0) opened(files);
     });
     const zone = make(
       'label',
       { className: 'zone' },
       make('b', { textContent: 'Drop a model here' }),
-      make('span', { textContent: 'or click to choose: OBJ, PLY, STL, OFF, or a project' }),
+      make('span', { textContent: 'or click to choose: OBJ, PLY, STL, OFF, a project or a report' }),
       input,
     );
     const row = make(
@@ -151,6 +151,7 @@ export class UnitPart {
  * @property {(rms: string) => void} propose panels
  * @property {(strain: string) => void} proposeDarts
  * @property {(isOn: boolean) => void} mirror
+ * @property {() => void} grain begins to set the grain, ends that, or takes the grain away
  * @property {() => void} notch begins to set notches, or ends it
  * @property {(line: number) => void} choose
  * @property {(line: number) => void} remove
@@ -173,23 +174,22 @@ export class SeamPart {
       this.limit.append(new Option(text, value, value === '5%', value === '5%'));
     }
     this.notch = button('Set notches', listener.notch, { ariaPressed: 'false' });
+    this.grain = button('Set the grain', listener.grain, { ariaPressed: 'false' });
     this.mirrored = make('input', { type: 'checkbox' });
     this.mirrored.addEventListener('change', () => listener.mirror(this.mirrored.checked));
+    this.limitLabel = make('label', {}, 'usual stretch ', this.limit);
+    this.panels = button('Propose panels', () => listener.propose(this.limit.value));
+    this.darts = button('Propose darts', () => listener.proposeDarts(this.limit.value));
+    this.mirrorLabel = make('label', { className: 'check' }, this.mirrored, 'Mirror lines left and right');
     this.hint = make('p', { className: 'hint', role: 'status' });
     this.list = make('ol', { className: 'lines' });
     this.root = part(
       'Seams',
       this.draw,
       this.hint,
-      make(
-        'div',
-        { className: 'row' },
-        button('Propose panels', () => listener.propose(this.limit.value)),
-        button('Propose darts', () => listener.proposeDarts(this.limit.value)),
-        make('label', {}, 'usual stretch ', this.limit),
-      ),
-      make('label', { className: 'check' }, this.mirrored, 'Mirror lines left and right'),
-      make('div', { className: 'row' }, this.notch),
+      make('div', { className: 'row' }, this.panels, this.darts, this.limitLabel),
+      this.mirrorLabel,
+      make('div', { className: 'row' }, this.notch, this.grain),
       this.list,
     );
   }
@@ -199,9 +199,11 @@ export class SeamPart {
    * @param {number} chosen
    * @param {(line: number) => string} lengthOf
    */
-  show({ lines, symmetric }, chosen, lengthOf) {
+  show({ lines, symmetric, parts }, chosen, lengthOf) {
+    // The program cuts models of one part only.
+    for (const tool of [this.draw, this.panels, this.darts, this.limitLabel, this.mirrorLabel]) tool.hidden = parts.length > 0;
     this.mirrored.checked = symmetric !== '';
-    this.notch.disabled = lines.length === 0;
+    this.notch.hidden = lines.length === 0;
     this.list.replaceChildren(
       ...lines.map((line, i) => {
         const length = lengthOf(i);
@@ -225,7 +227,7 @@ export class PatternPart {
   /** @param {(change: Partial<Project>) => void} changed */
   constructor(changed) {
     this.material = make('select');
-    this.material.append(new Option('none: my form, and where it stretches', ''));
+    this.material.append(new Option('none: my form', ''));
     this.strain = make('input', { type: 'text', inputMode: 'decimal', placeholder: 'none', size: 6 });
     this.allowance = make('input', { type: 'text', inputMode: 'decimal', placeholder: 'none', size: 6 });
     this.paper = make('select');
@@ -283,11 +285,15 @@ function withUnit(text, key) {
   return { strain: `${compact}%`, allowance: `${compact}mm` }[key] ?? compact;
 }
 
-/** The pieces by their names; they can be named anew and left out. */
+/** The pieces by their names; they can be named anew and left out, and get darts. */
 export class PiecePart {
-  /** @param {(change: {name?: [string, string], without?: [string, boolean]}) => void} changed */
-  constructor(changed) {
+  /**
+   * @param {(change: {name?: [string, string], without?: [string, boolean]}) => void} changed
+   * @param {(piece: number) => void} darted
+   */
+  constructor(changed, darted) {
     this.changed = changed;
+    this.darted = darted;
     this.list = make('ul', { className: 'pieces' });
     this.root = part('Pieces', this.list);
     this.root.hidden = true;
@@ -303,7 +309,7 @@ export class PiecePart {
       if (document.activeElement.type === 'text') return; // somebody types there
     }
     this.list.replaceChildren(
-      ...pieces.map(({ own, size, color }) => {
+      ...pieces.map(({ own, size, color }, i) => {
         const isIn = !project.without.includes(own);
         const box = make('input', { type: 'checkbox', checked: isIn, ariaLabel: `Take the piece ${own}` });
         box.addEventListener('change', () => this.changed({ without: [own, !box.checked] }));
@@ -311,7 +317,9 @@ export class PiecePart {
         name.addEventListener('change', () => this.changed({ name: [own, name.value.trim()] }));
         const swatch = make('span', { className: 'swatch' });
         swatch.style.background = color;
-        return make('li', {}, box, swatch, name, make('small', { textContent: size }));
+        const darts = button('Darts', () => this.darted(i), { ariaLabel: `Propose darts of ${own}`, title: 'Propose darts' });
+        darts.hidden = !isIn || project.parts.length > 0;
+        return make('li', {}, box, swatch, name, make('small', { textContent: size }), darts);
       }),
     );
   }

@@ -5,11 +5,11 @@
  * @typedef {object} Module
  * @property {any} FS
  * @property {(words: string[], told: (stage: string, share: number, subject: string) => void) => Run} run
- * @property {(path: string) => Surface | {error: string}} openSurface
+ * @property {(paths: string[]) => Surface | {error: string}} openSurface
  * @property {(places: number[]) => Float64Array | {error: string}} lineThrough
  * @property {(inSpace: string, flat: string) => Laid | {error: string}} readLaid
  * @property {() => Symmetry | {error: string}} findPlane
- * @property {(path: string) => null | {error: string}} openSketch
+ * @property {(paths: string[]) => null | {error: string}} openSketch
  * @property {(words: string[]) => SketchPieces | {error: string}} sketch
  * @property {(name: string) => Uint8Array} colorMap red, green and blue from low to high
  */

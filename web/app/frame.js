@@ -24,6 +24,22 @@ function colorChoice(chosen) {
   );
 }
 
+/** What the page says before there is a model. */
+function guide() {
+  const steps = [
+    ['Drop a model on this page.', 'Or try a sample. Files stay on this computer.'],
+    ['Say how large it is.', 'Files seldom tell; the likely size is chosen.'],
+    ['Look where it stretches, and draw seams there.', 'Red is longer in the pattern than on the model, blue is shorter.'],
+    ['Take the pattern with you.', 'SVG, DXF, PDF or PLT, in true size.'],
+  ];
+  return make(
+    'div',
+    { className: 'empty guide' },
+    make('h2', { textContent: 'From a model to its pattern' }),
+    make('ol', {}, ...steps.map(([what, more]) => make('li', {}, make('b', { textContent: what }), ` ${more}`))),
+  );
+}
+
 export class Frame {
   /**
    * @param {HTMLElement} root
@@ -38,17 +54,21 @@ export class Frame {
     this.bar = make('progress', { max: 1, value: 0, ariaLabel: 'Progress' });
     this.busy = make('div', { className: 'busy', hidden: true }, this.bar, button('Cancel', () => app.cancel()));
     this.alert = make('div', { className: 'alert', role: 'alert', hidden: true });
-    this.place = make('div', { className: 'place' }, make('p', { className: 'empty', textContent: 'No model yet' }));
+    this.note = make('p', { className: 'note', role: 'status', hidden: true });
+    this.place = make('div', { className: 'place' }, guide());
     this.filePart = new FilePart(
-      (file) => void app.take(file),
-      (sample) => void app.openSample(sample),
+      (files) => void app.opening.take(files),
+      (sample) => void app.opening.sample(sample),
     );
     this.keepingPart = new KeepingPart((isOn) => void app.keeping.want(isOn));
     this.filePart.root.append(this.keepingPart.root);
     this.unitPart = new UnitPart((unit) => app.change({ unit }));
     this.seamPart = new SeamPart(app.seams.listener());
     this.patternPart = new PatternPart((change) => app.change(change));
-    this.piecePart = new PiecePart((change) => app.changePiece(change));
+    this.piecePart = new PiecePart(
+      (change) => app.changePiece(change),
+      (piece) => app.seams.proposeDarts(this.seamPart.limit.value, [app.picture.pieces[piece]]),
+    );
     this.sheet = new Sheet((vertex) => app.picture.mark(vertex));
     this.scale = make('div', { className: 'scale', hidden: true });
     this.verdict = make('p', { className: 'verdict' });
@@ -72,7 +92,7 @@ export class Frame {
       make('aside', {}, ...sides.map((side) => side.root)),
       make('section', { className: 'space', ariaLabel: 'Model' }, this.place, under),
       make('section', { className: 'flat', ariaLabel: 'Pattern' }, this.sheet.canvas, this.verdict, this.downloads.root),
-      make('footer', {}, this.alert, this.status, this.busy),
+      make('footer', {}, this.alert, this.note, this.status, this.busy),
     );
   }
 }

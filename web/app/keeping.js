@@ -2,7 +2,8 @@
 import { projectText } from './project.js';
 
 /** @typedef {import('./project.js').Project} Project */
-/** @typedef {{tab: string, time: number, name: string, bytes: Uint8Array<ArrayBuffer>, project: string}} Kept */
+/** @typedef {{name: string, bytes: Uint8Array<ArrayBuffer>}} ModelBytes a file of a model */
+/** @typedef {{tab: string, time: number, files: ModelBytes[], project: string}} Kept */
 
 const most = 4; // works that are kept, the last ones
 const store = 'works';
@@ -23,8 +24,8 @@ export class Keeping {
     this.tab = crypto.getRandomValues(new Uint32Array(2)).join('-');
     /** @type {IDBDatabase | null} */
     this.base = null;
-    /** Null until a model is open. @type {{name: string, bytes: Uint8Array<ArrayBuffer>} | null} */
-    this.model = null;
+    /** None until a model is open. @type {ModelBytes[]} */
+    this.files = [];
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
   }
@@ -60,7 +61,7 @@ export class Keeping {
     if (!this.base || !this.isWanted) return [];
     try {
       const all = /** @type {Kept[]} */ (await answer(this.works('readonly').getAll()));
-      return all.filter(({ tab }) => tab !== this.tab).sort((a, b) => b.time - a.time);
+      return all.filter(({ tab, files }) => tab !== this.tab && files).sort((a, b) => b.time - a.time);
     } catch {
       return [];
     }
@@ -69,12 +70,12 @@ export class Keeping {
   /** Keeps the project soon, as it is then the last time. @param {Project} project */
   keep(project) {
     clearTimeout(this.timer);
-    const { model } = this;
-    if (!this.base || !this.isWanted || !model) return;
-    this.timer = setTimeout(() => void this.write({ ...model, project: projectText(project) }), wait);
+    const { files } = this;
+    if (!this.base || !this.isWanted || files.length === 0) return;
+    this.timer = setTimeout(() => void this.write({ files, project: projectText(project) }), wait);
   }
 
-  /** @param {{name: string, bytes: Uint8Array<ArrayBuffer>, project: string}} work */
+  /** @param {{files: ModelBytes[], project: string}} work */
   async write(work) {
     try {
       await answer(this.works('readwrite').put({ ...work, tab: this.tab, time: Date.now() }));

@@ -24,17 +24,14 @@ export class Live {
     this.key = '';
   }
 
-  /**
-   * @param {string} name
-   * @param {Uint8Array} bytes
-   */
-  async open(name, bytes) {
+  /** @param {import('./keeping.js').ModelBytes[]} files of the model */
+  async open(files) {
     this.isOpen = false;
     this.key = '';
     this.asked = null;
     for (const other of this.engine.files.keys()) await this.engine.remove(other);
-    await this.engine.write(name, bytes);
-    await this.engine.call('openSketch', name);
+    for (const { name, bytes } of files) await this.engine.write(name, bytes.slice());
+    await this.engine.call('openSketch', files.map(({ name }) => name));
     this.isOpen = true;
   }
 

@@ -113,20 +113,20 @@ export function rowsOf(sizes, gap) {
 }
 
 const things = /** @type {[number, string][]} */ ([
-  [12, 'a fingernail or less'],
-  [35, 'as a coin'],
-  [100, 'as a matchbox'],
-  [220, 'as a hand'],
-  [400, 'as a ruler'],
-  [800, 'as an arm'],
-  [1300, 'as a table'],
-  [2500, 'as a person'],
-  [6000, 'as a car'],
-  [15000, 'as a bus'],
-  [Infinity, 'as a house'],
+  [12, 'a pea'],
+  [35, 'a coin'],
+  [100, 'an egg'],
+  [220, 'a hand'],
+  [400, 'a ruler'],
+  [800, 'an arm'],
+  [1300, 'a table'],
+  [2500, 'a person'],
+  [6000, 'a car'],
+  [15000, 'a bus'],
+  [Infinity, 'a house'],
 ]);
 
-const millimetres = new Map([
+export const millimetres = new Map([
   ['mm', 1],
   ['cm', 10],
   ['dm', 100],
@@ -155,6 +155,47 @@ export function sizeText(positions, unit) {
 export function likelyUnit(positions) {
   const far = (/** @type {string} */ unit) => Math.abs(Math.log(sizeText(positions, unit).largest / 500));
   return ['mm', 'cm', 'dm', 'm'].reduce((best, unit) => (far(unit) < far(best) ? unit : best));
+}
+
+/**
+ * An .obj of a mesh.
+ * @param {Float32Array} positions
+ * @param {ArrayLike<number>} triangles
+ * @param {Map<number, string>} [groups] names of groups, by the triangle that they begin with
+ */
+export function objText(positions, triangles, groups = new Map()) {
+  const rows = [];
+  for (let v = 0; 3 * v < positions.length; ++v) rows.push(`v ${pointAt(positions, v).join(' ')}`);
+  for (let t = 0; 3 * t < triangles.length; ++t) {
+    const group = groups.get(t);
+    if (group !== undefined) rows.push(`g ${group}`);
+    rows.push(`f ${[0, 1, 2].map((k) => triangles[3 * t + k] + 1).join(' ')}`);
+  }
+  return `${rows.join('\n')}\n`;
+}
+
+/**
+ * Which way a direction on the model runs in the pattern of a piece: the mean over its triangles.
+ * @param {LaidPiece} piece
+ * @param {number[]} way
+ */
+export function flatDirection({ positions, flat, triangles }, way) {
+  const edge = (/** @type {Float32Array} */ of, /** @type {number} */ a, /** @type {number} */ b) =>
+    [0, 1, 2].map((k) => of[3 * b + k] - of[3 * a + k]);
+  const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const sum = [0, 0];
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = triangles.subarray(t, t + 3);
+    const [u, v] = [edge(positions, a, b), edge(positions, a, c)];
+    const [uu, uv, vv, uw, vw] = [dot(u, u), dot(u, v), dot(v, v), dot(u, way), dot(v, way)];
+    const square = uu * vv - uv * uv;
+    if (!(square > 0)) continue;
+    // The direction is s u + r v, seen along the triangle's normal; its weight is the area.
+    const [s, r] = [(uw * vv - vw * uv) / square, (vw * uu - uw * uv) / square];
+    const [p, q] = [edge(flat, a, b), edge(flat, a, c)];
+    for (const k of [0, 1]) sum[k] += Math.sqrt(square) * (s * p[k] + r * q[k]);
+  }
+  return sum;
 }
 
 /**

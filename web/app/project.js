@@ -26,7 +26,11 @@
  * @property {string} symmetric `auto` where lines are mirrored left and right; a plane as `x=0` where the half of the
  *   surface with the lines is taken for both; '' where neither
  * @property {Point[]} notches on seams
+ * @property {ModelFile[]} parts the other files of a product of several ones, behind that of `model`
+ * @property {string} grain direction of the grain on the model, as "0,0,1"; '' for none
  */
+
+/** @typedef {{model: string, hash: string}} ModelFile a file's name, and its SHA-256 */
 
 export const units = ['mm', 'cm', 'dm', 'm', 'in'];
 const version = 1;
@@ -51,7 +55,18 @@ export function newProject(model, hash) {
     paper: '',
     symmetric: '',
     notches: [],
+    parts: [],
+    grain: '',
   };
+}
+
+/**
+ * The files of its model.
+ * @param {Project} project
+ * @returns {ModelFile[]}
+ */
+export function modelFiles({ model, hash, parts }) {
+  return [{ model, hash }, ...parts];
 }
 
 /** @param {Project} project */
@@ -105,7 +120,14 @@ export function readProject(text) {
   if (!Array.isArray(packed.lines) || !Array.isArray(packed.without)) throw new Error('the project file lacks lists');
   project.lines = packed.lines.map(lineOf);
   project.without = packed.without.map(String);
-  // These two came later.
+  // These came later.
+  project.grain = String(packed.grain ?? '');
+  if (!/^(|[-+.\de]+,[-+.\de]+,[-+.\de]+)$/.test(project.grain)) throw new Error('the project file has no such grain');
+  if (packed.parts !== undefined && !Array.isArray(packed.parts)) throw new Error('the project file lacks lists');
+  project.parts = (packed.parts ?? []).map((/** @type {any} */ part) => ({
+    model: String(part?.model ?? ''),
+    hash: String(part?.hash ?? ''),
+  }));
   project.symmetric = String(packed.symmetric ?? '');
   if (!/^(|auto|[xyz]=[-+.\de]+)$/.test(project.symmetric)) throw new Error('the project file has no such plane');
   if (packed.notches !== undefined) {
@@ -185,8 +207,9 @@ export function linesOf(text) {
  * What is asked of the model in all verbs.
  * @param {Project} project
  */
-function modelWords({ model, unit }) {
-  return [model, ...(unit ? ['--unit', unit] : [])];
+function modelWords({ model, parts, unit }) {
+  const product = parts.length > 0 ? [...parts.map((part) => part.model), '--product'] : [];
+  return [model, ...product, ...(unit ? ['--unit', unit] : [])];
 }
 
 /**
@@ -223,7 +246,8 @@ function cutWords({ lines, symmetric }) {
  * @param {Project} project
  */
 export function sketchWords(project) {
-  return ['flatten', project.model, ...cutWords(project)];
+  const others = project.parts.map(({ model }) => model);
+  return ['flatten', project.model, ...others, ...cutWords(project)];
 }
 
 /**
@@ -233,7 +257,7 @@ export function sketchWords(project) {
  * @returns {string[]}
  */
 export function flattenWords(project, folder) {
-  const { names, without, allowance, paper, notches } = project;
+  const { names, without, allowance, paper, notches, grain } = project;
   const renamed = Object.entries(names)
     .filter(([old, name]) => name !== '' && name !== old)
     .map(([old, name]) => `${old}=${name}`);
@@ -247,6 +271,7 @@ export function flattenWords(project, folder) {
     ...(allowance ? ['--allowance', allowance] : []),
     ...(paper ? ['--paper', paper] : []),
     ...(notches.length > 0 ? ['--seam-notches', notchesFile] : []),
+    ...(grain ? ['--grain', grain] : []),
     '--formats',
     'svg,dxf,pdf,plt',
     '--textured',
@@ -268,11 +293,13 @@ export function panelsWords(project, rms) {
 /**
  * The command line that proposes darts.
  * @param {Project} project
+ * @param {string} model file that is to get them
  * @param {string} strain limit, as "5%"; where the project has none of its own
  */
-export function dartsWords(project, strain) {
+export function dartsWords(project, model, strain) {
   const limit = limitWords(project);
-  return ['suggest-cuts', ...modelWords(project), ...(limit.length > 0 ? limit : ['--max-strain', strain]), '-o', dartsFile];
+  const words = modelWords({ ...project, model, parts: [] });
+  return ['suggest-cuts', ...words, ...(limit.length > 0 ? limit : ['--max-strain', strain]), '-o', dartsFile];
 }
 
 /**

@@ -2,7 +2,7 @@
 import { make } from '../viewer/dom.js';
 import { borderOf } from '../viewer/patch_geometry.js';
 import { PointGrid } from '../viewer/picking.js';
-import { boxOf, rowsOf } from './mesh.js';
+import { boxOf, flatDirection, rowsOf } from './mesh.js';
 import { fillTriangles } from './raster.js';
 
 /** @typedef {import('./engine.js').LaidPiece} LaidPiece */
@@ -42,6 +42,8 @@ export class Sheet {
     this.marked = -1;
     /** Places of notches on the model. @type {[number, number, number][]} */
     this.notches = [];
+    /** Direction of the grain on the model. @type {number[] | null} */
+    this.grain = null;
     /** The surfaces of the pieces, until they change. @type {ImageData | null} */
     this.picture = null;
     /** @type {PointGrid | null} */
@@ -79,6 +81,12 @@ export class Sheet {
   /** @param {[number, number, number][]} places on the model */
   showNotches(places) {
     this.notches = places;
+    this.redraw();
+  }
+
+  /** @param {number[] | null} way of the grain on the model */
+  showGrain(way) {
+    this.grain = way;
     this.redraw();
   }
 
@@ -206,6 +214,9 @@ export class Sheet {
       pen.arc(...at(vertex), 4, 0, 2 * Math.PI);
       pen.fill();
     }
+    const box = boxOf(flat);
+    const size = scale * Math.min(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    if (this.grain) arrow(pen, right, down, flatDirection(piece, this.grain), 0.3 * size);
     pen.font = '600 14px system-ui, sans-serif';
     pen.textAlign = 'center';
     pen.lineWidth = 4;
@@ -236,6 +247,32 @@ export class Sheet {
       pen.stroke();
     }
   }
+}
+
+/**
+ * The grain, with a head at either end.
+ * @param {CanvasRenderingContext2D} pen
+ * @param {number} x its middle
+ * @param {number} y
+ * @param {number[]} way upwards
+ * @param {number} half its length
+ */
+function arrow(pen, x, y, [right, up], half) {
+  const length = Math.hypot(right, up);
+  if (!(length > 0)) return;
+  const [a, b] = [(half * right) / length, (-half * up) / length];
+  pen.strokeStyle = '#0a6b3d';
+  pen.lineWidth = 2;
+  pen.beginPath();
+  pen.moveTo(x - a, y - b);
+  pen.lineTo(x + a, y + b);
+  for (const end of [-1, 1]) {
+    for (const side of [-1, 1]) {
+      pen.moveTo(x + end * a, y + end * b);
+      pen.lineTo(x + end * (0.85 * a - 0.1 * side * b), y + end * (0.85 * b + 0.1 * side * a));
+    }
+  }
+  pen.stroke();
 }
 
 /**

@@ -22,6 +22,11 @@ export function fileName(name) {
   return safe || 'model.obj';
 }
 
+/** Files in a few words. @param {string[]} names */
+export function titleOf(names) {
+  return names.length > 2 ? `${names[0]} and ${names.length - 1} others` : names.join(' and ');
+}
+
 /** What the program said last. @param {string} err */
 export function errorOf(err) {
   const at = err.lastIndexOf('error: ');

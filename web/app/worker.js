@@ -77,14 +77,14 @@ class Program {
     return this.module.run(words, this.told);
   }
 
-  /** @param {string} name */
-  openSurface(name) {
-    return checked(this.module.openSurface(name));
+  /** @param {string[]} names */
+  openSurface(names) {
+    return checked(this.module.openSurface(names));
   }
 
-  /** @param {string} name */
-  openSketch(name) {
-    return checked(this.module.openSketch(name));
+  /** @param {string[]} names */
+  openSketch(names) {
+    return checked(this.module.openSketch(names));
   }
 
   /** @param {string[]} words */
@@ -120,14 +120,14 @@ class Program {
     const single = text('report.json');
     /** @type {{name: string, folder: string, unfold: any}[]} */
     const reports = product?.patches ?? (single ? [{ name: stem, folder: '.', unfold: single.unfold }] : []);
+    // Meshes are of the format of the model's file.
+    const mesh = (/** @type {string} */ stemOf) =>
+      files.map(([path]) => path).find((path) => /\.(obj|ply|off|stl)$/.test(path) && path.slice(0, -4) === stemOf);
     /** @type {LaidPiece[]} */
-    const pieces = reports
-      .filter((report) => files.some(([path]) => path === inside(out, report.folder, 'flat.obj')))
-      .map(({ name, folder: own, unfold }) => ({
-        name,
-        figures: unfold,
-        ...checked(this.module.readLaid(inside(out, own, 'processed.obj'), inside(out, own, 'flat.obj'))),
-      }));
+    const pieces = reports.flatMap(({ name, folder: own, unfold }) => {
+      const [processed, flat] = ['processed', 'flat'].map((one) => mesh(inside(out, own, one)));
+      return processed && flat ? [{ name, figures: unfold, ...checked(this.module.readLaid(processed, flat)) }] : [];
+    });
     this.remove(out);
     return {
       ...run,

@@ -2,12 +2,15 @@
 import { make } from '../viewer/dom.js';
 import { spaceCanvas } from '../viewer/patch_view.js';
 import { unpack } from './data.js';
+import { offerApp } from './hand_over.js';
 import { Page } from './page.js';
 import { unpackProduct } from './product_data.js';
 import { ProductPage } from './product_page.js';
 
 const block = document.getElementById('report-data');
 const stage = document.getElementById('stage');
+const links = /** @type {HTMLElement | null} */ (document.querySelector('.app'));
+if (block && links) offerApp(links, block.textContent ?? '');
 if (block && stage) {
   const space = spaceCanvas();
   if (space) {

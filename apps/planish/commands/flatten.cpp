@@ -24,6 +24,7 @@
 #include "layout/nest.h"
 #include "layout/sheet_sizes.h"
 #include "model/model_flags.h"
+#include "model/project_text.h"
 #include "output/flatten_files.h"
 #include "output/machine.h"
 #include "output/open_page.h"
@@ -116,6 +117,8 @@ ProductJob product_job(FlattenRequest request, ProductInput input,
                  .nest = request.nest,
                  .formats = request.pattern.formats,
                  .output = request.pattern.output};
+  job.project = request.words.project;
+  request.words.project.app = "../" + request.words.project.app;  // a piece has a folder of its own
   // A product has its pages together.
   if (!job.is_batch) request.pattern.output.pages.reset();
   job.annotations = annotations_of_patches(job.requests, job.patches, arguments);
@@ -164,7 +167,8 @@ FlattenRequest flatten_request_from(const Arguments& arguments, Session& session
   FlattenOptions options = flatten_options_from(arguments);
   ReportPageOptions words{.colors = colors_from(arguments),
                           .command = command_line(flatten_command(), arguments),
-                          .reference = session.silent_context()};
+                          .reference = session.silent_context(),
+                          .project = project_of(arguments)};
   PatternFiles pattern = pattern_files_from(arguments);
   auto nest = nest_from(arguments, pattern);
   return {folder_from(arguments), std::move(options), std::move(pattern), std::move(words),

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* k_kind = "planish project";
-constexpr int k_version = 1;
 // What the files are called that the flags of a project name, as in web/app/project.js.
 constexpr const char* k_seams = "seams.obj";
 constexpr const char* k_notches = "notches.obj";
@@ -63,13 +61,13 @@ class Project {
   explicit Project(const Json& json) : json_(json) {
     // First: one of another version has other keys.
     const Json version = json.value("version", Json());
-    if (version != k_version) {
+    if (version != k_project_version) {
       refuse("version", "is " + version.dump().substr(0, 20) + "; this program reads version " +
-                            std::to_string(k_version));
+                            std::to_string(k_project_version));
     }
     static const std::vector<std::string> keys = {
-        "kind",    "version",  "model",  "hash",      "unit",  "lines",     "names",
-        "without", "material", "strain", "allowance", "paper", "symmetric", "notches"};
+        "kind",     "version", "model",     "hash",  "unit",      "lines",   "names", "without",
+        "material", "strain",  "allowance", "paper", "symmetric", "notches", "parts", "grain"};
     const JsonEntry strict(json, "", keys);
   }
 
@@ -80,12 +78,22 @@ class Project {
     return one_line(value, key);
   }
 
-  /// The name of the model's file, which lies beside the project.
-  std::string model() const {
-    std::string name = text("model");
-    if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\:") < name.size())
-      refuse("model", "must be the name of a file beside the project");
-    return name;
+  /// A file of the model, which lies beside the project.
+  struct File {
+    std::string name, hash;
+  };
+
+  /// The model's file, and where it is a product of several ones the others.
+  std::vector<File> files() const {
+    std::vector<File> all = {file(text("model"), text("hash"), "model")};
+    const Json& parts = list("parts");
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      static const std::vector<std::string> keys = {"model", "hash"};
+      const JsonEntry part(parts[k], "parts[" + std::to_string(k) + "]", keys);
+      all.push_back(
+          file(part.required_text("model"), part.text("hash").value_or(""), part.where("model")));
+    }
+    return all;
   }
 
   /// @param take gets the points of each line of the kind
@@ -132,6 +140,12 @@ class Project {
   }
 
  private:
+  static File file(std::string name, std::string hash, const std::string& where) {
+    if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\:") < name.size())
+      refuse(where, "must be the name of a file beside the project");
+    return {std::move(name), std::move(hash)};
+  }
+
   const Json& list(const std::string& key) const {
     static const Json none = Json::array();
     const auto found = json_.find(key);
@@ -197,13 +211,14 @@ void take_notches(const Project& project, Arguments& arguments) {
 }
 
 void take_flags(const Project& project, Arguments& arguments) {
-  constexpr std::array<std::pair<const char*, const char*>, 6> flags = {
+  constexpr std::array<std::pair<const char*, const char*>, 7> flags = {
       {{"--unit", "unit"},
        {"--symmetric", "symmetric"},
        {"--material", "material"},
        {"--max-strain", "strain"},
        {"--allowance", "allowance"},
-       {"--paper", "paper"}}};
+       {"--paper", "paper"},
+       {"--grain", "grain"}}};
   for (const auto& [flag, key] : flags) {
     const std::string value = project.text(key);
     if (value.empty() || arguments.has(flag)) continue;
@@ -223,16 +238,15 @@ void take_flags(const Project& project, Arguments& arguments) {
   }
 }
 
-/// The model of a project, which has to be the one that its lines were drawn on.
-std::string model_beside(const fs::path& file, const Project& project) {
-  const std::string name = project.model();
-  const fs::path path = file.parent_path() / path_of(name);
+/// A file of a project's model, which has to be the one that its lines were drawn on.
+std::string model_beside(const fs::path& project, const Project::File& file) {
+  const auto& [name, hash] = file;
+  const fs::path path = project.parent_path() / path_of(name);
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) {
     throw Error(ErrorCode::file_not_found,
                 "the project is of the model " + name + ", which has to lie beside it");
   }
-  const std::string hash = project.text("hash");
   if (hash.empty()) return utf8_of(path);
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -251,7 +265,7 @@ std::optional<Json> project_in(const std::string& path) {
     return std::nullopt;
   try {
     Json json = read_json_file(path, "a project file");
-    if (json.is_object() && json.value("kind", Json()) == k_kind) return json;
+    if (json.is_object() && json.value("kind", Json()) == k_project_kind) return json;
   } catch (const Error&) {
     // A product file reports what is wrong with it itself.
   }
@@ -270,7 +284,15 @@ Arguments with_project(const Command& command, Arguments arguments) {
     take_lines(project, arguments);
     take_notches(project, arguments);
     take_flags(project, arguments);
-    arguments.operands = {model_beside(path_of(file), project)};
+    const std::vector<Project::File> files = project.files();
+    arguments.operands.clear();
+    for (const Project::File& some : files)
+      arguments.operands.push_back(model_beside(path_of(file), some));
+    if (files.size() > 1) {
+      arguments.flags["--product"];
+      // Else the folder would have the name of one part.
+      if (!arguments.has("--output")) arguments.flags["--output"] = {stem_of(file) + "-pattern"};
+    }
   } catch (const Error& error) {
     throw Error(error.code(), error.message(), {.path = file});
   }

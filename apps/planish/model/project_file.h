@@ -4,6 +4,10 @@
 
 namespace planish::cli {
 
+/// What the files of projects say that they are.
+inline constexpr const char* k_project_kind = "planish project";
+inline constexpr int k_project_version = 1;
+
 /// What the user typed, with what a project of the app says (docs/app.md) where the one input of
 /// `flatten` is its file: the model beside it, its lines and options. Flags that were typed count
 /// more; --cut adds to the lines.

@@ -120,7 +120,8 @@ std::string page_of(const FlattenReport& report, const DrawnPattern& drawn,
                       .fits = words.sheet.fits,
                       .material_use = words.sheet.use,
                       .reference = reference_sweeps(report, words.reference),
-                      .files = words.files});
+                      .files = words.files,
+                      .project = words.project});
 }
 
 std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern& drawn,

@@ -37,6 +37,7 @@ struct ReportPageOptions {
   SheetFit sheet = {};               ///< no material where none was named
   Context reference = {};            ///< that the sweeps for comparison are run with
   std::vector<PageFile> files = {};  ///< of the pattern, beside the page
+  PageProject project = {};
 };
 
 /// What the file of a format is for: "pattern" and "as_designed" are the SVG.

@@ -166,7 +166,7 @@ class ProductRun {
   std::string patch_lines() const { return job_.path + "  " + pieces_text(report_); }
 
   std::string page(const std::optional<NestOutcome>& nesting) const {
-    ProductPage page{.name = stem_of(job_.path)};
+    ProductPage page{.name = stem_of(job_.path), .project = job_.project};
     if (nesting) {
       page.sheets = nesting->sheets;
       page.on_sheets = words_of(nesting->layouts);

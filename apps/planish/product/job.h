@@ -10,6 +10,7 @@
 #include <planish/flatten/product.h>
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
+#include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
 #include "cut/cut_flag.h"
@@ -45,6 +46,7 @@ struct ProductJob {
   std::shared_ptr<const NestRequest> nest = {};
   std::vector<PatternFormat> formats = {};  ///< of patterns
   PatternOutput output = {};                ///< how they are written
+  PageProject project = {};                 ///< of the run
 };
 
 /// --product, --resume and --seam-tolerance.

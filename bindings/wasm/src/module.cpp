@@ -72,10 +72,11 @@ std::optional<Surface>& surface() {
 }
 
 /// Opens another one, and gives its mesh.
-val open_surface(const std::string& path) {
+/// @param paths an array of strings
+val open_surface(val paths) {
   return outcome_of([&] {
     surface().reset();
-    surface().emplace(path);
+    surface().emplace(emscripten::vecFromJSArray<std::string>(paths));
     val made = meshed(surface()->mesh());
     made.set("pieces", surface()->pieces());
     made.set("unit", std::string(surface()->unit()));
@@ -111,10 +112,11 @@ std::optional<Sketch>& sketch() {
   return kept;
 }
 
-val open_sketch(const std::string& path) {
+/// @param paths an array of strings
+val open_sketch(val paths) {
   return outcome_of([&] {
     sketch().reset();
-    sketch().emplace(path);
+    sketch().emplace(emscripten::vecFromJSArray<std::string>(paths));
     return val::null();
   });
 }

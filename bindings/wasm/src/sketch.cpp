@@ -13,7 +13,6 @@
 
 #include "core/thread_pool.h"
 #include "cut/cut_flag.h"
-#include "mesh/split.h"
 #include "panels/cells/thinned_product.h"
 #include "parse.h"
 #include "shell/file_name.h"
@@ -28,12 +27,12 @@ constexpr std::size_t k_least = 60;       // of a part
 constexpr int k_steps = 40;               // Newton's, at most
 
 /// Part by part, as each has to keep its shape.
-TriMesh thinned(const TriMesh& mesh, const std::string& name) {
-  if (mesh.positions.size() <= k_vertices) return mesh;
+TriMesh thinned(const TriMesh& mesh, const std::string& name, std::size_t vertices) {
+  if (mesh.positions.size() <= vertices) return mesh;
   const ThreadPool pool(1);
   TriMesh all;
   for (const NamedPatch& part : split(mesh, name)) {
-    const std::size_t share = k_vertices * part.mesh.positions.size() / mesh.positions.size();
+    const std::size_t share = vertices * part.mesh.positions.size() / mesh.positions.size();
     const Patch thin = thinned_product(Patch(part.mesh), std::max(k_least, share), pool);
     const auto first = static_cast<Index>(all.positions.size());
     all.positions.insert(all.positions.end(), thin.positions().begin(), thin.positions().end());
@@ -59,39 +58,54 @@ void lay_flat(SketchPiece& piece) {
 
 }  // namespace
 
-Sketch::Sketch(const std::string& path)
-    : path_(path), mesh_(thinned(divided(prepare_model(read_mesh(path), {}, path)), path)) {}
+Sketch::Sketch(std::span<const std::string> paths) {
+  for (const std::string& path : paths) {
+    const TriMesh mesh = divided(prepare_model(read_mesh(path), {}, path));
+    parts_.push_back({path, thinned(mesh, path, k_vertices / paths.size())});
+  }
+}
 
-SketchPieces Sketch::laid(const std::vector<std::string>& words) {
+TriMesh Sketch::cut(const Part& part, const std::vector<std::string>& words,
+                    SketchPieces& made) const {
+  if (parts_.size() > 1) return part.mesh;
   const cli::Parsed parsed = cli::parse(words);
   std::ostringstream said;
   const cli::RunContext context;
   cli::Session session(parsed.arguments, said, context);
-  SketchPieces made;
-  TriMesh cut = mesh_;
+  TriMesh mesh = part.mesh;
   try {
-    cut = cli::cut_as_asked(mesh_, path_, parsed.arguments, session).mesh;
+    mesh = cli::cut_as_asked(part.mesh, part.path, parsed.arguments, session).mesh;
   } catch (const Error& error) {
     said << with_way_on(error);
   }
   made.hint = said.str();
-  for (NamedPatch& part : split(cut, cli::stem_of(path_))) {
-    const auto known = std::find_if(last_.begin(), last_.end(), [&](const SketchPiece& piece) {
-      return is_same(piece.surface, part.mesh);
-    });
-    SketchPiece piece{std::move(part.name), std::move(part.mesh), {}, {}};
-    if (known != last_.end()) {
-      piece.pattern = known->pattern;
-      piece.strain = known->strain;
-    } else {
-      piece.strain.assign(piece.surface.triangles.size(), 0.0F);
-      try {
-        lay_flat(piece);
-      } catch (const Error& error) {
-        if (made.hint.empty()) made.hint = with_way_on(error);
-      }
-    }
-    made.pieces.push_back(std::move(piece));
+  return mesh;
+}
+
+SketchPiece Sketch::laid(NamedPatch part, std::string& hint) const {
+  const auto known = std::find_if(last_.begin(), last_.end(), [&](const SketchPiece& piece) {
+    return is_same(piece.surface, part.mesh);
+  });
+  SketchPiece piece{std::move(part.name), std::move(part.mesh), {}, {}};
+  if (known != last_.end()) {
+    piece.pattern = known->pattern;
+    piece.strain = known->strain;
+    return piece;
+  }
+  piece.strain.assign(piece.surface.triangles.size(), 0.0F);
+  try {
+    lay_flat(piece);
+  } catch (const Error& error) {
+    if (hint.empty()) hint = with_way_on(error);
+  }
+  return piece;
+}
+
+SketchPieces Sketch::laid(const std::vector<std::string>& words) {
+  SketchPieces made;
+  for (const Part& part : parts_) {
+    for (NamedPatch& piece : split(cut(part, words, made), cli::stem_of(part.path)))
+      made.pieces.push_back(laid(std::move(piece), made.hint));
   }
   last_ = made.pieces;
   return made;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include <planish/core/vec.h>
 #include <planish/mesh/tri_mesh.h>
+
+#include "mesh/split.h"
 
 namespace planish::wasm {
 
@@ -26,18 +29,26 @@ struct SketchPieces {
 /// program, with the names that it gives them.
 class Sketch {
  public:
+  /// @param paths of the model's files, one at least
   /// @throws Error as read_mesh() and prepare_model()
-  explicit Sketch(const std::string& path);
+  explicit Sketch(std::span<const std::string> paths);
 
   /// Cuts as the words say, and lays each piece flat with the least stretch. A piece that the last
-  /// call made too comes as it was then.
+  /// call made too comes as it was then. A model of several files is not cut.
   /// @param words of `flatten`, with the model and its cuts
   /// @throws UsageError
   SketchPieces laid(const std::vector<std::string>& words);
 
  private:
-  std::string path_;
-  TriMesh mesh_;
+  struct Part {
+    std::string path;
+    TriMesh mesh;
+  };
+
+  TriMesh cut(const Part& part, const std::vector<std::string>& words, SketchPieces& made) const;
+  SketchPiece laid(NamedPatch part, std::string& hint) const;
+
+  std::vector<Part> parts_;
   std::vector<SketchPiece> last_;
 };
 

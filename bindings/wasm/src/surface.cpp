@@ -1,5 +1,6 @@
 #include "surface.h"
 
+#include <optional>
 #include <utility>
 
 #include <planish/core/error.h>
@@ -12,6 +13,14 @@
 namespace planish::wasm {
 
 namespace {
+
+void append(TriMesh& all, const TriMesh& part, double scale) {
+  const auto first = static_cast<Index>(all.positions.size());
+  for (const Vec3 p : part.positions)
+    all.positions.push_back(scale == 1.0 ? p : scale * p);
+  for (const Triangle& t : part.triangles)
+    all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
 
 Vec3 point_at(std::span<const double> places, std::size_t k) {
   return {places[3 * k], places[3 * k + 1], places[3 * k + 2]};
@@ -37,12 +46,20 @@ std::vector<Index> corners_of(const TriMesh& mesh) {
   return corners;
 }
 
-Surface::Surface(const std::string& path) {
-  ReadResult file = read_mesh(path);
-  if (file.unit) unit_ = to_string(file.unit->unit);
-  Model model = prepare_model(std::move(file), {}, path);
-  pieces_ = model.pieces.size();
-  patch_ = Patch(divided(model));
+Surface::Surface(std::span<const std::string> paths) {
+  std::optional<Unit> unit;
+  TriMesh all;
+  for (const std::string& path : paths) {
+    ReadResult file = read_mesh(path);
+    if (file.unit && !unit) unit = file.unit->unit;
+    const double scale =
+        file.unit ? millimetres_per(file.unit->unit) / millimetres_per(*unit) : 1.0;
+    const Model model = prepare_model(std::move(file), {}, path);
+    pieces_ += model.pieces.size();
+    append(all, divided(model), scale);
+  }
+  if (unit) unit_ = to_string(*unit);
+  patch_ = Patch(std::move(all));
 }
 
 std::vector<double> Surface::line(std::span<const double> places) const {

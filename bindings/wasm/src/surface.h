@@ -22,18 +22,19 @@ struct SymmetryFound {
   bool is_symmetric = false;  ///< whether that counts as symmetric
 };
 
-/// The surface of a model file as the verbs of the program work on it, kept while lines are drawn
-/// on it.
+/// The surface of a model as the verbs of the program work on it, kept while lines are drawn on it.
+/// Several files are the parts of one product.
 class Surface {
  public:
-  /// Reads and mends the model.
+  /// Reads and mends the model. Parts get the unit of the first one that states its own.
+  /// @param paths of its files, one at least
   /// @throws Error as read_mesh() and prepare_model()
-  explicit Surface(const std::string& path);
+  explicit Surface(std::span<const std::string> paths);
 
   const TriMesh& mesh() const { return patch_.mesh(); }
-  /// How many pieces the file has.
+  /// How many pieces the files have.
   std::size_t pieces() const { return pieces_; }
-  /// That the file states, as flags have it; empty where it states none.
+  /// That the files state, as flags have it; empty where it states none.
   std::string_view unit() const { return unit_; }
 
   /// The line that `--cut "line ..."` draws through these places: shortest ways between them.

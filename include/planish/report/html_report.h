@@ -19,6 +19,15 @@ struct PageFile {
   std::string purpose;  ///< in a few words, plain text: "to print at 100 %"
 };
 
+/// A project file of the app (docs/app.md), which asks for the run that a page reports.
+struct PageProject {
+  std::string name = {};  ///< that it is saved by, plain text
+  std::string text = {};  ///< its content; empty: the page offers none
+  /// Flags of the run that it has no place for, plain text.
+  std::vector<std::string> left_out = {};
+  std::string app = "planish.html";  ///< where the app may be, from the page, with slashes
+};
+
 /// What the page of the main job says besides the report.
 struct FlattenPage {
   ColorMap colors = ColorMap::diverging;  ///< paper: |defect|, blue to red as the 2010 paper has it
@@ -28,6 +37,7 @@ struct FlattenPage {
   std::string material_use = {};  ///< how much of that it takes, plain text
   std::vector<SweepRecord> reference = {};  ///< as reference_sweeps()
   std::vector<PageFile> files = {};         ///< with the pattern; links to them
+  PageProject project = {};
 };
 
 /// The main job's result as one HTML page that needs nothing else: the patch before and after,
@@ -50,6 +60,7 @@ struct ProductPage {
   std::vector<std::string> reports = {};
   std::vector<Drawing> sheets = {};  ///< with the pieces on them, nest_sheet()
   std::string on_sheets = {};        ///< what they are and how well they are used, plain text
+  PageProject project = {};
 };
 
 /// What became of a product as such a page: all pieces together, which can be turned and moved

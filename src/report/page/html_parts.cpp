@@ -56,13 +56,29 @@ std::string html_page(const PageFrame& frame, const std::string& content) {
   const std::size_t split = end == std::string::npos ? verdict.size() : end + 1;
   return head(title, frame.style) +
          "<body>\n<main>\n<header>\n<div class=\"title\"><p class=\"brand\">Planish " +
-         std::string(frame.kind) + "</p><h1>" + title + "</h1></div>\n<p class=\"verdict\"><b>" +
-         escape_markup(verdict.substr(0, split)) + "</b>" + escape_markup(verdict.substr(split)) +
-         "</p>\n" + frame.below + "</header>\n" + content + "<footer>Made by planish " + k_version +
-         "." + (frame.unit.empty() ? "" : " Model unit: " + frame.unit + ".") +
-         "</footer>\n</main>\n" + frame.data +
-         (frame.data.empty() || !page_script().is_there() ? "" : script_element()) +
+         std::string(frame.kind) + "</p><h1>" + title + "</h1>" + frame.app +
+         "</div>\n<p class=\"verdict\"><b>" + escape_markup(verdict.substr(0, split)) + "</b>" +
+         escape_markup(verdict.substr(split)) + "</p>\n" + frame.below + "</header>\n" + content +
+         "<footer>Made by planish " + k_version + "." +
+         (frame.unit.empty() ? "" : " Model unit: " + frame.unit + ".") + "</footer>\n</main>\n" +
+         frame.data + (frame.data.empty() || !page_script().is_there() ? "" : script_element()) +
          "</body>\n</html>\n";
+}
+
+std::string app_links(const PageProject& project) {
+  if (project.text.empty() && !page_script().is_there()) return {};
+  std::string html = "<p class=\"app\" data-app=\"" + escape_markup(project.app) + "\">";
+  if (!project.text.empty()) {
+    html += "<a id=\"project\" href=\"data:application/json;base64," + base64(project.text) +
+            "\" download=\"" + escape_markup(project.name) +
+            "\" title=\"Lines and options of this run, for the app and for planish flatten: the "
+            "model's file goes with it\">Project file</a>";
+  }
+  std::string flags;
+  for (const std::string& flag : project.left_out)
+    flags += (flags.empty() ? "" : ", ") + escape_markup(flag);
+  if (!flags.empty()) html += "<small>without " + flags + "</small>";
+  return html + "</p>";
 }
 
 std::string picture_source(const Image& image) {

@@ -5,6 +5,7 @@
 
 #include <planish/draw/color.h>
 #include <planish/evolve/evolve.h>
+#include <planish/report/html_report.h>
 
 #include "draw/image.h"
 #include "report/page/legend.h"
@@ -22,7 +23,11 @@ struct PageFrame {
   std::string_view style = {};  ///< to stand behind that of all pages
   std::string unit = {};        ///< of the model, where the page says it
   std::string data = {};        ///< markup; the page's script works on it, and is not there without
+  std::string app = {};         ///< markup beside the name
 };
+
+/// How a page leads to the app: a link with the project, to which the page's script adds a button.
+std::string app_links(const PageProject& project);
 
 /// The whole page: nothing from outside may be fetched, and no script may run but the page's own.
 /// @param content markup

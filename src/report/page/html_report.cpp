@@ -311,7 +311,7 @@ std::string html_report(const FlattenReport& report, const PatternGeometry& patt
   return html_page(
       {"report", report.name, verdict, checks(report),
        has_limit ? limit_style() : std::string_view(), std::string(to_string(report.unfold.unit)),
-       viewer.data},
+       viewer.data, app_links(page.project)},
       files_line(page) + candidate_tiles(report) + viewer.html + tiles(report, pattern, page) +
           "<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" + figures_table(report) +
           "</div>\n</section>\n" + problems_section(report) + computed_section(report, page));

@@ -20,7 +20,7 @@ PageScript page_script();
 /// The style sheets of web/ (cmake/PlanishPageStyle.cmake), for wide and narrow, light and dark
 /// screens and for paper.
 
-/// Of every page: page.css, layout.css, viewer.css, panel.css and pieces.css.
+/// Of every page: base.css, page.css, layout.css, viewer.css, panel.css and pieces.css.
 std::string_view page_style();
 
 /// What a page has beside that where strain is shown beside its limit (limit.css): more to choose

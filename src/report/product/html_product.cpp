@@ -270,7 +270,8 @@ std::string html_report(const ProductReport& report, const ProductPage& page) {
                     .name = page.name,
                     .verdict = verdict_of(report),
                     .style = product_style(),
-                    .data = std::move(whole.data)},
+                    .data = std::move(whole.data),
+                    .app = app_links(page.project)},
                    whole.html + tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
 }
 

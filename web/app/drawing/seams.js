@@ -1,11 +1,11 @@
 // Drawing seams: the line that is being drawn, the one that is chosen, and the ways of all over the surface.
-import { Ended } from './engine.js';
+import { Ended } from '../engine.js';
 import { proposeDarts, proposePanels } from './proposals.js';
 import { loosened } from './simplify.js';
 
-/** @typedef {import('./app.js').App} App */
-/** @typedef {import('./project.js').Line} Line */
-/** @typedef {import('./project.js').Point} Point */
+/** @typedef {import('../app.js').App} App */
+/** @typedef {import('../project.js').Line} Line */
+/** @typedef {import('../project.js').Point} Point */
 
 const nearly = 0.03; // of the diagonal: how far from symmetric a model may be whose one half is taken for both
 
@@ -23,7 +23,7 @@ export class Seams {
     this.isTracing = false;
     /** What the lines still lack to cut. */
     this.hint = '';
-    /** Null where it is not known. @type {import('./engine.js').Symmetry | null} */
+    /** Null where it is not known. @type {import('../engine.js').Symmetry | null} */
     this.symmetry = null;
   }
 
@@ -31,13 +31,22 @@ export class Seams {
     return {
       draw: () => (this.draft ? this.finish() : this.start()),
       propose: (/** @type {string} */ rms) => void proposePanels(this.app, rms),
-      proposeDarts: (/** @type {string} */ strain) => void proposeDarts(this.app, strain),
+      proposeDarts: (/** @type {string} */ strain) => this.proposeDarts(strain, this.app.picture.pieces),
       mirror: (/** @type {boolean} */ isOn) => void this.mirror(isOn),
       notch: () => this.app.notches.toggle(),
+      grain: () => this.app.grain.toggle(),
       choose: (/** @type {number} */ line) => this.choose(line === this.chosen ? -1 : line),
       remove: (/** @type {number} */ line) => this.removeLine(line),
       loosen: (/** @type {number} */ line) => this.loosen(line),
     };
+  }
+
+  /**
+   * @param {string} strain limit
+   * @param {import('../engine.js').LaidPiece[]} pieces
+   */
+  proposeDarts(strain, pieces) {
+    void proposeDarts(this.app, strain, pieces);
   }
 
   reset() {
@@ -60,9 +69,14 @@ export class Seams {
 
   start() {
     this.draft = [];
+    this.app.notches.isOn = false;
+    this.app.grain.isOn = false;
     this.chosen = -1;
     this.show();
     this.app.stage?.view.canvas.focus({ preventScroll: true });
+    // On a phone the model may be above, and the hint is below it.
+    this.app.frame.place.scrollIntoView({ block: 'nearest' });
+    this.app.say('Tap or click points on the model; the last one twice to end the line.');
   }
 
   /** Ends the line that is being drawn; of two points or more it becomes a seam. */
@@ -240,8 +254,11 @@ export class Seams {
     hint.textContent = this.draft
       ? 'Click points on the model; Enter or a second click on the last point ends the line. By keys: turn the model ' +
         'with the arrows, Space sets a point under the cross.'
-      : this.hint || (this.chosen >= 0 ? 'Drag the points of the line, or take one away with Delete.' : '');
+      : app.project.parts.length > 0
+        ? 'The parts of a product take no lines: open one of them alone to cut it.'
+        : this.hint || (this.chosen >= 0 ? 'Drag the points of the line, or take one away with Delete.' : '');
     app.notches.show();
+    app.grain.show();
     app.frame.seamPart.show(app.project, this.chosen, (i) => this.lengthText(i));
     void this.trace();
   }
@@ -298,7 +315,7 @@ function mirrored(path, [x, y, z, offset]) {
 /**
  * What a project says of symmetry: nothing more where the model is symmetric; else the plane, where that is one of x,
  * y or z, and the model is nearly symmetric.
- * @param {import('./engine.js').Symmetry} symmetry
+ * @param {import('../engine.js').Symmetry} symmetry
  */
 function planeWord({ plane, share, isSymmetric }) {
   if (isSymmetric) return 'auto';

@@ -1,8 +1,8 @@
 // Lines of many points as lines of few.
-import { boxOf } from './mesh.js';
+import { boxOf } from '../mesh.js';
 
-/** @typedef {import('./project.js').Line} Line */
-/** @typedef {import('./project.js').Point} Point */
+/** @typedef {import('../project.js').Line} Line */
+/** @typedef {import('../project.js').Point} Point */
 
 /**
  * How far a point is from the straight part between two others.

@@ -1,7 +1,7 @@
 // Notches on seams: a click on a seam sets one, on both sides of it.
 
-/** @typedef {import('./app.js').App} App */
-/** @typedef {import('./project.js').Point} Point */
+/** @typedef {import('../app.js').App} App */
+/** @typedef {import('../project.js').Point} Point */
 
 export class Notches {
   /** @param {App} app */
@@ -13,6 +13,7 @@ export class Notches {
 
   toggle() {
     this.isOn = !this.isOn;
+    if (this.isOn) this.app.grain.isOn = false;
     if (this.isOn) this.app.seams.choose(-1);
     else this.app.seams.show();
   }

@@ -1,10 +1,13 @@
 // Seams that the program proposes.
-import { pointAt } from './mesh.js';
-import { cutsOf, dartsFile, dartsWords, linesOf, panelsWords, seamsFile } from './project.js';
+import { objText, pointAt } from '../mesh.js';
+import { cutsOf, dartsFile, dartsWords, linesOf, panelsWords, seamsFile } from '../project.js';
 import { loosened } from './simplify.js';
-import { errorOf } from './words.js';
+import { errorOf } from '../words.js';
 
-/** @typedef {import('./app.js').App} App */
+/** @typedef {import('../app.js').App} App */
+/** @typedef {import('../engine.js').LaidPiece} LaidPiece */
+
+const pieceFile = 'piece.obj'; // that darts are proposed for
 
 /**
  * The file that a run of the program writes, as a text; empty where it writes none.
@@ -36,18 +39,22 @@ export async function proposePanels(app, rms) {
 }
 
 /**
- * Darts of the model as it is, beside the lines that there are.
+ * Darts of some pieces, beside the lines that there are.
  * @param {App} app
  * @param {string} strain limit
+ * @param {LaidPiece[]} pieces as they are in space
  */
-export async function proposeDarts(app, strain) {
-  const positions = app.surface?.positions;
-  if (!positions) return;
+export async function proposeDarts(app, strain, pieces) {
   await app.interrupt();
   await app.job(async () => {
-    const { run, text } = await written(app, dartsWords(app.project, strain), dartsFile);
-    if (run.code !== 0) throw new Error(errorOf(run.err));
-    const darts = cutsOf(text).map((cut) => loosened(cut.map((v) => pointAt(positions, v)), positions));
+    const darts = [];
+    for (const { positions, triangles } of pieces) {
+      await app.jobs.write(pieceFile, new TextEncoder().encode(objText(positions, triangles)));
+      const { run, text } = await written(app, dartsWords(app.project, pieceFile, strain), dartsFile);
+      await app.jobs.remove(pieceFile);
+      if (run.code !== 0) throw new Error(errorOf(run.err));
+      darts.push(...cutsOf(text).map((cut) => loosened(cut.map((v) => pointAt(positions, v)), positions)));
+    }
     app.say(darts.length > 0 ? `Darts proposed: ${darts.length}` : 'No dart makes this better');
     if (darts.length > 0) app.change({ lines: [...app.project.lines, ...darts] });
   });

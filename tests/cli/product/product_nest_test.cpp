@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "oracle/outline_gap.h"
 
 namespace planish::cli {

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "mesh/split.h"
 #include "platform/path.h"
 #include "shell/safe_names.h"

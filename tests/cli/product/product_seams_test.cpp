@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "mesh/split.h"
 #include "support/jacket.h"
 #include "support/meshes.h"

@@ -11,7 +11,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "mesh/split.h"
 #include "support/products.h"
 

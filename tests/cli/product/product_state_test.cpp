@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <planish_json/json.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "product/figures.h"
 #include "product/state.h"
 

@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "oracle/drawn_lines.h"
 #include "support/products.h"
 #include "support/twins.h"

@@ -13,7 +13,7 @@
 #include "flags/unfold_flags.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
-#include "piece/piece_keys.h"
+#include "piece/single_patch_flags.h"
 #include "platform/path.h"
 #include "product/nest.h"
 #include "product/rename.h"
@@ -31,23 +31,6 @@
 namespace planish::cli {
 
 namespace {
-
-/// How several patches may have what a flag asks of one.
-std::string way_for_pieces(const std::string& flag) {
-  const std::string key = flag.substr(2);
-  return is_flag_of_piece(key) ? ", or ask for it with --piece NAME:" + key + "=..." : "";
-}
-
-void refuse_single_patch_flags(const Arguments& arguments) {
-  for (const char* flag :
-       {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches", "--marks",
-        "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
-    if (!arguments.has(flag)) continue;
-    throw UsageError("flag " + std::string(flag) +
-                     " goes with one patch only; the input has several: take one with --only NAME" +
-                     way_for_pieces(flag));
-  }
-}
 
 /// The seams of a mirror image are not known, as nothing says where it lies.
 void refuse_notches_of_mirrored(const std::vector<ProductPatch>& patches,
@@ -96,8 +79,9 @@ class ProductRun {
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
     std::vector<OutputFile> files = {{job_.folder / path_of("garment.json"), garment},
-                                     {job_.folder / path_of("garment.html"), page(nesting)},
                                      {job_.folder / path_of("garment.svg"), picture}};
+    if (!arguments_.has("--no-report"))
+      files.insert(files.begin() + 1, {job_.folder / path_of("garment.html"), page(nesting)});
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     const ProductPages pages = on_pages();
     files.insert(files.end(), pages.files.begin(), pages.files.end());
@@ -399,7 +383,7 @@ void refuse_seam_flags(const Arguments& arguments) {
 std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceRequest>& requests,
                                                    const std::vector<ProductPatch>& patches,
                                                    const Arguments& arguments) {
-  refuse_single_patch_flags(arguments);
+  refuse_single_patch_flags(arguments, "the input has several: take one with --only NAME");
   refuse_notches_of_mirrored(patches, arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;

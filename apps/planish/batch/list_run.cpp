@@ -278,7 +278,7 @@ class ListRun {
 }  // namespace
 
 std::vector<Flag> list_flags() {
-  return {{"--inputs", "LIST",
+  return {{"--inputs", "FILE",
            "work on each input of a list, a path a line, by itself; - reads the list from standard "
            "input. Prints a line of JSON for each patch"},
           {"--shard",

@@ -128,6 +128,17 @@ Counts counts_of(const std::vector<Json>& records) {
   return counts;
 }
 
+Json json_of(const Counts& counts) {
+  Json errors = Json::object();
+  for (const auto& [code, count] : counts.errors)
+    errors[code] = count;
+  return {{"patches", counts.patches},
+          {"failed", counts.failed},
+          {"missed", counts.missed},
+          {"seconds", counts.seconds},
+          {"errors", std::move(errors)}};
+}
+
 std::string verdict_of(const Counts& counts) {
   return std::to_string(counts.patches) +
          " patches: " + std::to_string(counts.patches - counts.failed - counts.missed) +
@@ -180,15 +191,19 @@ std::vector<std::string> row_of(const Json& record) {
 
 CommandResult run_collect(const Arguments& arguments, Session& session) {
   std::vector<Json> records;
-  for (const std::string& path : arguments.operands)
-    is_folder(path) ? add_records_in(path, records) : add_records_of(path, records);
+  for (const std::string& path : arguments.operands) {
+    if (is_folder(path))
+      add_records_in(path, records);
+    else
+      add_records_of(path, records);
+  }
   records = in_order(std::move(records));
   const std::vector<std::string> missing = missing_of(records);
   const Counts counts = counts_of(records);
   const std::string& first = arguments.operands.front();
   const fs::path beside = is_folder(first) ? path_of(first) : path_of(first).parent_path();
   const fs::path folder =
-      output_folder(arguments.text("--output", utf8_of(beside.empty() ? fs::path(".") : beside)));
+      output_folder(arguments.text("--output", utf8_of(beside.empty() ? path_of(".") : beside)));
   std::string table = record_table_header();
   TablePage page{.name = utf8_of(beside.filename()),
                  .verdict = verdict_of(counts),
@@ -205,21 +220,14 @@ CommandResult run_collect(const Arguments& arguments, Session& session) {
   std::string text = page.verdict + "\n";
   for (const std::string& fact : page.facts)
     text += fact + "\n";
-  Json errors = Json::object();
-  for (const auto& [code, count] : counts.errors)
-    errors[code] = count;
-  const Json json = {{"patches", counts.patches},
-                     {"failed", counts.failed},
-                     {"missed", counts.missed},
-                     {"seconds", counts.seconds},
-                     {"errors", errors},
-                     {"missing", missing.size()},
-                     {"csv", utf8_of(files[0].path)},
-                     {"page", utf8_of(files[1].path)}};
+  Json json = json_of(counts);
+  json["missing"] = missing.size();
+  json["csv"] = utf8_of(files[0].path);
+  json["page"] = utf8_of(files[1].path);
   CommandResult outcome = {text + written_text(files), json_document(json) + '\n'};
   if (!missing.empty()) {
     outcome.exit_code = k_exit_failed;
-    outcome.complaint = counted(missing.size(), "input") + " of the list have no result";
+    outcome.complaint = "no result of " + counted(missing.size(), "input") + " of the list";
   }
   session.write(files);
   return outcome;
@@ -241,7 +249,7 @@ Command collect_command() {
           run_collect,
           false,
           true,
-          {{.type = ValueType::file}}};
+          {{.extensions = {"jsonl"}}}};
 }
 
 }  // namespace planish::cli

@@ -120,7 +120,7 @@ def run_many(
         if not paths:
             return []
     records = [json.loads(line) for line in _core.flatten_many(paths, given, progress)]
-    return sorted(records, key=lambda record: record["number"])
+    return sorted(records, key=lambda record: int(record["number"]))
 
 
 def draw(result: Any, format_name: str, path: Optional[Path], as_designed: bool, keywords: dict[str, Any]) -> bytes:

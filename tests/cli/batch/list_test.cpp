@@ -150,8 +150,10 @@ TEST_F(Lists, KeepWhatIsWholeAndOfTheSameJob) {
   EXPECT_THAT(kept_of({"--allowance", "5mm"}), IsEmpty());
   // The same flag, but its file says something else.
   const auto write_cloth = [](const char* strain) {
-    std::ofstream("cloth.json") << R"({"name": "cloth", "stretch": {"usual": {"strain": ")"
-                                << strain << R"(", "source": "own test"}}})";
+    const std::string usual =
+        R"({"usual": {"strain": ")" + std::string(strain) + R"(", "source": "own test"}})";
+    std::ofstream("cloth.json") << R"({"name": "cloth", "stretch": )" << usual
+                                << R"(, "compression": )" << usual << "}";
   };
   const Names of_cloth = {"--material", "cloth.json"};
   write_cloth("60 %");

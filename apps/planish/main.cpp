@@ -20,7 +20,8 @@ namespace {
 
 int main(int argc, char** argv) {
   std::set_terminate(end_after_failure);
-  const planish::cli::RunContext context = planish::cli::prepare_process();
+  planish::cli::RunContext context = planish::cli::prepare_process();
+  context.in = &std::cin;
   const std::vector<std::string> words = planish::cli::command_words(argc, argv);
   if (planish::cli::has_own_window()) {
     return planish::cli::run_in_own_window(

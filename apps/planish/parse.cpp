@@ -180,7 +180,8 @@ void check_complete(const Command& command, const Arguments& arguments) {
   const auto& given = arguments.operands;
   if (arguments.has("--list")) return;  // `sample --list` needs nothing else
   const std::string usage = ": planish " + command.name + " " + command.usage;
-  if (given.size() < command.operands.size() && !command.operands_optional) {
+  const bool needs_operands = !command.operands_optional && !arguments.has("--inputs");
+  if (given.size() < command.operands.size() && needs_operands) {
     throw UsageError("missing " + command.operands[given.size()] + usage);
   }
   for (const FlagGroup& group : command.groups) {

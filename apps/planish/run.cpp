@@ -99,7 +99,9 @@ int run(std::span<const std::string> args, std::ostream& out, std::ostream& err,
   }
   CommandResult outcome;
   try {
-    outcome = obey(args, err, context);
+    RunContext own = context;
+    own.on_line = [&out](std::string_view line) { out << line << '\n' << std::flush; };
+    outcome = obey(args, err, own);
   } catch (...) {
     try {
       outcome = outcome_of_failure();

@@ -52,16 +52,26 @@ Json entry_of(const FileReport& file, bool with_output) {
 
 }  // namespace
 
-std::string several_csv(std::span<const FileReport> files, const std::vector<Column>& columns,
-                        bool with_output) {
+std::string several_csv_header(const std::vector<Column>& columns, bool with_output) {
   std::string csv = "path";
   for (const Column& column : columns)
     csv += "," + column.name;
-  csv += with_output ? ",output,error,message\n" : ",error,message\n";
-  for (const FileReport& file : files) {
-    for (const Json& figures : lines_of(file.figures))
-      csv += line_of(file, figures, columns, with_output);
-  }
+  return csv + (with_output ? ",output,error,message\n" : ",error,message\n");
+}
+
+std::string several_csv_lines(const FileReport& file, const std::vector<Column>& columns,
+                              bool with_output) {
+  std::string csv;
+  for (const Json& figures : lines_of(file.figures))
+    csv += line_of(file, figures, columns, with_output);
+  return csv;
+}
+
+std::string several_csv(std::span<const FileReport> files, const std::vector<Column>& columns,
+                        bool with_output) {
+  std::string csv = several_csv_header(columns, with_output);
+  for (const FileReport& file : files)
+    csv += several_csv_lines(file, columns, with_output);
   return csv;
 }
 

@@ -35,6 +35,10 @@ std::vector<Column> measured_columns();
 std::vector<Column> evolved_columns();
 std::vector<Column> unfolded_columns();
 std::vector<Column> compared_columns();
+std::vector<Column> flattened_columns();
+
+/// The figures that columns have, by their names; of checks whether all are kept, null of none.
+Json figures_in(const std::vector<Column>& columns, const Json& figures);
 
 /// Of a line with these figures; empty where the figure is not known.
 std::string cell_text(const Column& column, const Json& figures);
@@ -52,6 +56,11 @@ Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cauti
 /// output if the verb has one, error and message. A file has a line, or one for each of its "runs".
 std::string several_csv(std::span<const FileReport> files, const std::vector<Column>& columns,
                         bool with_output);
+
+/// The header line of these, and the lines of one file.
+std::string several_csv_header(const std::vector<Column>& columns, bool with_output);
+std::string several_csv_lines(const FileReport& file, const std::vector<Column>& columns,
+                              bool with_output);
 
 /// One object with "files", a list as docs/command-line.md has it, and "csv".
 /// @param csv path of the table; empty where none was written

@@ -31,19 +31,37 @@ constexpr std::string_view k_unfolded =
     "strain_max=strain/max strain_rms=strain/rms strain_p99=strain/p99 border_strain width height "
     "unit area_ratio overlaps flipped_triangles iterations converged limits_kept=limits";
 
+constexpr std::string_view k_flattened =
+    "vertices=evolve/before/vertices triangles=evolve/before/triangles "
+    "inner_vertices=evolve/before/inner_vertices boundary_loops=evolve/before/boundary_loops "
+    "area=evolve/before/area e_max_before=evolve/before/e_max e_max_after=evolve/after/e_max "
+    "method=evolve/method sweeps=evolve/sweeps stop=evolve/stop "
+    "strain_max_before=unfold_before/strain/max strain_rms_before=unfold_before/strain/rms "
+    "strain_max=unfold/strain/max strain_rms=unfold/strain/rms strain_p99=unfold/strain/p99 "
+    "width=unfold/width height=unfold/height unit=unfold/unit area_ratio=unfold/area_ratio "
+    "overlaps=unfold/overlaps flipped_triangles=unfold/flipped_triangles "
+    "deviation_rms=evolve/deviation/rms deviation_max=evolve/deviation/max "
+    "bending_ratio=evolve/bending_ratio form_kept=evolve/form_kept limits_kept=limits "
+    "limits_met usable";
+
 constexpr std::string_view k_strain_before =
     "strain_max_before=unfold_before/strain/max strain_rms_before=unfold_before/strain/rms "
     "strain_p99_before=unfold_before/strain/p99";
 
-/// Empty where nothing is known; of checks whether all are kept.
-std::string cell_text(const Json& figure) {
+/// Of checks whether all are kept, null of none; all else as it is.
+Json single_figure(const Json& figure) {
+  if (!figure.is_array()) return figure;
+  if (figure.empty()) return nullptr;
+  return std::all_of(figure.begin(), figure.end(),
+                     [](const Json& check) { return check["kept"].get<bool>(); });
+}
+
+/// Empty where nothing is known.
+std::string cell_text(const Json& given) {
+  const Json figure = single_figure(given);
   if (figure.is_string()) return figure.get<std::string>();
   if (figure.is_boolean()) return figure.get<bool>() ? "1" : "0";
   if (figure.is_number_integer()) return figure.dump();
-  if (figure.is_array() && !figure.empty()) {
-    return cell_text(std::all_of(figure.begin(), figure.end(),
-                                 [](const Json& check) { return check["kept"].get<bool>(); }));
-  }
   const bool is_known = figure.is_number_float() && std::isfinite(figure.get<double>());
   return is_known ? number_text(figure.get<double>()) : std::string();
 }
@@ -80,6 +98,19 @@ std::vector<Column> compared_columns() {
                            columns_of("best verdict")})
     all.insert(all.end(), more.begin(), more.end());
   return all;
+}
+
+std::vector<Column> flattened_columns() {
+  return columns_of(k_flattened);
+}
+
+Json figures_in(const std::vector<Column>& columns, const Json& figures) {
+  Json found = Json::object();
+  for (const Column& column : columns) {
+    const bool is_known = figures.contains(column.path);
+    found[column.name] = is_known ? single_figure(figures[column.path]) : Json(nullptr);
+  }
+  return found;
 }
 
 std::string cell_text(const Column& column, const Json& figures) {

@@ -57,6 +57,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"suggest-cuts", {"suggest-cuts", "panel.obj", "--max-strain", "50%"}},
       {"panels", {"panels", "panel.obj", "--effort", "1"}},
       {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
+      {"collect", {"collect", "results.jsonl"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
       {"app", {"app", "-o", "app.html"}},
@@ -65,6 +66,8 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"completion", {"completion", "fish"}},
       {"man", {"man", "flatten"}},
       {"doctor", {"doctor"}}};
+  std::ofstream("list.txt") << "panel.obj\n";
+  std::ofstream("results.jsonl") << planish({"flatten", "--inputs", "list.txt", "-o", "many"}).out;
   for (const Command& command : commands()) {
     ASSERT_TRUE(runs.contains(command.name)) << command.name;
     if (command.name == "app" && app_page().empty()) continue;

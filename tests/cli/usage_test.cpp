@@ -205,9 +205,9 @@ TEST(Usage, VersionIsOneLine) {
   EXPECT_EQ(planish({"--json", "--version"}).json()["version"], "0.2.0");
 }
 
-/// Compares with tests/golden/NAME; with PLANISH_UPDATE_GOLDENS set, writes it.
+/// Compares with tests/golden/help/NAME; with PLANISH_UPDATE_GOLDENS set, writes it.
 void expect_golden(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(PLANISH_GOLDEN_FOLDER) / name;
+  const std::filesystem::path path = std::filesystem::path(PLANISH_GOLDEN_FOLDER) / "help" / name;
   if (std::getenv("PLANISH_UPDATE_GOLDENS") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;
   }

@@ -78,6 +78,10 @@ VALUES = {
 # Flags that are tried with no other one, and why.
 LEFT_OUT = {
     "--open": "starts a browser",
+    "--no-report": "leaves out what the others write",
+    "--inputs": "of many inputs",
+    "--shard": "of many inputs",
+    "--keep-failures": "of many inputs",
     "--product": "of several files",
     "--symmetric": "of symmetric forms, which the samples are not",
     "--mirror-surface": "likewise",

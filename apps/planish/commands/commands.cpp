@@ -24,8 +24,8 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all = with_verbs_named(
       {flatten_command(), measure_command(), evolve_command(), unfold_command(), compare_command(),
        frontier_command(), suggest_cuts_command(), panels_command(), carry_command(),
-       convert_command(), sample_command(), app_command(), materials_command(), describe_command(),
-       completion_command(), man_command(), doctor_command()});
+       collect_command(), convert_command(), sample_command(), app_command(), materials_command(),
+       describe_command(), completion_command(), man_command(), doctor_command()});
   return all;
 }
 

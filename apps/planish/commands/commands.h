@@ -16,6 +16,7 @@ Command frontier_command();
 Command suggest_cuts_command();
 Command panels_command();
 Command carry_command();
+Command collect_command();
 Command convert_command();
 Command sample_command();
 Command materials_command();

@@ -7,6 +7,9 @@
 #include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
+#include "batch/list_run.h"
+#include "batch/records.h"
+#include "batch/stated_units.h"
 #include "commands/commands.h"
 #include "commands/jobs.h"
 #include "cut/cut_flag.h"
@@ -24,6 +27,7 @@
 #include "layout/nest.h"
 #include "layout/sheet_sizes.h"
 #include "model/model_flags.h"
+#include "model/project_file.h"
 #include "model/project_text.h"
 #include "output/flatten_files.h"
 #include "output/machine.h"
@@ -164,6 +168,8 @@ std::vector<std::string> input_extensions() {
 }
 
 FlattenRequest flatten_request_from(const Arguments& arguments, Session& session) {
+  if (arguments.has("--open") && arguments.has("--no-report"))
+    throw UsageError("--open shows the report, which --no-report leaves out");
   FlattenOptions options = flatten_options_from(arguments);
   ReportPageOptions words{.colors = colors_from(arguments),
                           .command = command_line(flatten_command(), arguments),
@@ -255,11 +261,12 @@ CommandResult flatten_one(FlattenRequest request, ProductInput read,
     written.push_back(file.path);
   warn_of_left(session, request.folder, left_of_earlier_runs(request.folder, written));
   session.write(files, request.folder);
-  open_if_asked(arguments, path_of(paths.at("report_html")), session);
+  open_if_asked(arguments, request.folder / path_of("report.html"), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
 }
 
-CommandResult run_flatten(const Arguments& given, Session& session) {
+/// @param is_listed it is one of many inputs, whose --resume is about all of them
+CommandResult flatten_inputs(const Arguments& given, bool is_listed, Session& session) {
   const Arguments arguments = without_pieces_out(with_machine(given));
   // Errors of the request come before any work.
   FlattenRequest request = flatten_request_from(arguments, session);
@@ -277,11 +284,43 @@ CommandResult run_flatten(const Arguments& given, Session& session) {
     return run_product(product_job(std::move(request), std::move(read), cut, arguments, session),
                        arguments, session);
   }
-  refuse_product_flags(arguments, !read.left_out.empty());
+  Arguments of_one = arguments;
+  if (is_listed) of_one.flags.erase("--resume");
+  refuse_product_flags(of_one, !read.left_out.empty());
   return flatten_one(std::move(request), std::move(read), cut, arguments, session);
 }
 
+CommandResult flatten_listed(const Arguments& arguments, Session& session) {
+  const Arguments own = with_project(flatten_command(), arguments);
+  return flatten_inputs(with_stated_unit(flatten_command(), own, session), true, session);
+}
+
+CommandResult run_flatten(const Arguments& arguments, Session& session) {
+  if (!arguments.has("--inputs")) {
+    refuse_list_flags(arguments);
+    return flatten_inputs(arguments, false, session);
+  }
+  if (!arguments.operands.empty())
+    throw UsageError("name inputs on the command line or with --inputs, not both");
+  return flatten_list(
+      inputs_from(arguments, session), arguments,
+      [&](const std::string& record) { session.print(record); }, session);
+}
+
 }  // namespace
+
+CommandResult flatten_list(std::vector<ListedInput> inputs, const Arguments& arguments,
+                           const std::function<void(const std::string& record)>& on_record,
+                           Session& session) {
+  if (!arguments.has("--output"))
+    throw UsageError("with --inputs, say where to write: --output FOLDER");
+  Arguments first = arguments;
+  first.operands = {inputs.front().path};
+  flatten_request_from(with_machine(first), session);  // its errors come before any work
+  return run_list({numbered(std::move(inputs)), flatten_listed,
+                   [&](const Json& record) { on_record(record_line(record)); }},
+                  arguments, session);
+}
 
 ColorMap colors_from(const Arguments& arguments) {
   const std::string name = arguments.text("--colors", "diverging");
@@ -305,7 +344,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
                  .least_stretch = arguments.has("--least-stretch"),
                  .limits = limits_from(arguments),
                  .material = material_name_from(arguments),
-                 .ways = true},
+                 .ways = !arguments.has("--no-report")},
                 arguments);
 }
 
@@ -338,6 +377,8 @@ Command flatten_command() {
          false,
          {.extensions = {"csv"}}},
         fields_flag(),
+        {"--no-report", "",
+         "leave out the page of the report, and the table of what less stretch costs"},
         open_flag(),
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
@@ -346,6 +387,7 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : cut_flags())
     groups.front().flags.push_back(std::move(flag));
+  groups.push_back({"Many inputs", list_flags()});
   groups.push_back(model_flags());
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());
@@ -376,7 +418,8 @@ Command flatten_command() {
        "planish flatten jacket.obj --allowance 10mm --grain 0,0,1 --sheet 1500mm",
        "planish flatten suit.json -o out",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
-       "planish flatten panel.obj --target-e-max 0.001 --require-target"},
+       "planish flatten panel.obj --target-e-max 0.001 --require-target",
+       "planish flatten --inputs patches.txt -o out --shard 1/20 --no-report --resume"},
       run_flatten,
       false,
       true,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <planish/pattern/pattern_options.h>
 #include <planish/unfold/suggest_cuts.h>
 
+#include "batch/input_list.h"
 #include "output/pattern_output.h"
 #include "shell/command.h"
 #include "shell/session.h"
@@ -22,6 +24,15 @@ namespace planish::cli {
 /// What the flags of `flatten` ask for, but for constraints.
 /// @throws UsageError, Error option_out_of_range
 FlattenOptions flatten_options_from(const Arguments& arguments);
+
+/// Flattens each of many inputs by itself.
+/// @param inputs of all shards, in their order
+/// @param arguments with the folder --output
+/// @param on_record receives the record of each patch, a line of JSON, as soon as it is there
+/// @throws as run_list(), and what the flags are refused for
+CommandResult flatten_list(std::vector<ListedInput> inputs, const Arguments& arguments,
+                           const std::function<void(const std::string& record)>& on_record,
+                           Session& session);
 
 /// The colors of a report's pictures, as --colors says.
 /// @throws UsageError for unknown names

@@ -94,8 +94,8 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
   WrittenFiles paths = {{"processed", in_folder("processed" + extension)},
                         {"flat", in_folder("flat" + extension)},
-                        {"report_json", in_folder("report.json")},
-                        {"report_html", in_folder("report.html")}};
+                        {"report_json", in_folder("report.json")}};
+  if (!arguments.has("--no-report")) paths["report_html"] = in_folder("report.html");
   for (const PatternFormat some : pattern.formats) {
     const std::string ending = "." + std::string(to_string(some));
     paths[role_of("pattern", some)] = in_folder("pattern" + ending);
@@ -134,9 +134,11 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern
   files.push_back(
       {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({path_of(paths.at("report_json")), json});
-  ReportPageOptions of_page = words;
-  of_page.files = files_beside_page(paths);
-  files.push_back({path_of(paths.at("report_html")), page_of(report, drawn, of_page)});
+  if (paths.contains("report_html")) {
+    ReportPageOptions of_page = words;
+    of_page.files = files_beside_page(paths);
+    files.push_back({path_of(paths.at("report_html")), page_of(report, drawn, of_page)});
+  }
   if (paths.contains("textured")) {
     files.push_back({path_of(paths.at("textured")),
                      format_textured_obj(mesh, in_millimetres(report.unfold.pattern.positions,

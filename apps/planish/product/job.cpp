@@ -15,7 +15,6 @@
 #include "layout/size_nests.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
-#include "piece/piece_keys.h"
 #include "platform/path.h"
 #include "product/rename.h"
 #include "product/seams.h"
@@ -69,8 +68,9 @@ class ProductRun {
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
     std::vector<OutputFile> files = {{job_.folder / path_of("garment.json"), garment},
-                                     {job_.folder / path_of("garment.html"), page(nesting)},
                                      {job_.folder / path_of("garment.svg"), picture}};
+    if (!arguments_.has("--no-report"))
+      files.insert(files.begin() + 1, {job_.folder / path_of("garment.html"), page(nesting)});
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     const ProductPages pages = on_pages();
     files.insert(files.end(), pages.files.begin(), pages.files.end());

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "piece/piece_keys.h"
+#include "piece/single_patch_flags.h"
 #include "product/job.h"
 #include "product/rename.h"
 #include "product/seams.h"
@@ -10,23 +10,6 @@
 namespace planish::cli {
 
 namespace {
-
-/// How several patches may have what a flag asks of one.
-std::string way_for_pieces(const std::string& flag) {
-  const std::string key = flag.substr(2);
-  return is_flag_of_piece(key) ? ", or ask for it with --piece NAME:" + key + "=..." : "";
-}
-
-void refuse_single_patch_flags(const Arguments& arguments) {
-  for (const char* flag :
-       {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches", "--marks",
-        "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
-    if (!arguments.has(flag)) continue;
-    throw UsageError("flag " + std::string(flag) +
-                     " goes with one patch only; the input has several: take one with --only NAME" +
-                     way_for_pieces(flag));
-  }
-}
 
 /// The seams of a mirror image are not known, as nothing says where it lies.
 void refuse_notches_of_mirrored(const std::vector<ProductPatch>& patches,
@@ -80,7 +63,7 @@ void refuse_seam_flags(const Arguments& arguments) {
 std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceRequest>& requests,
                                                    const std::vector<ProductPatch>& patches,
                                                    const Arguments& arguments) {
-  refuse_single_patch_flags(arguments);
+  refuse_single_patch_flags(arguments, "the input has several: take one with --only NAME");
   refuse_notches_of_mirrored(patches, arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -17,6 +15,7 @@
 #include "core/fnv_hash.h"
 #include "flags/limit_flags.h"
 #include "flags/material_flag.h"
+#include "output/kept_files.h"
 #include "platform/path.h"
 #include "product/figures.h"
 #include "shell/values.h"
@@ -42,12 +41,6 @@ void add_value(FnvHash& hash, const Value& value) {
   std::array<char, sizeof(Value)> bytes{};
   std::memcpy(bytes.data(), &value, sizeof(Value));
   hash.add({bytes.data(), bytes.size()});
-}
-
-std::string hash_of(std::string_view bytes) {
-  FnvHash hash;
-  hash.add(bytes);
-  return hash_text(hash.value());
 }
 
 std::string hash_of(const TriMesh& mesh) {
@@ -116,34 +109,6 @@ std::string text_of(const StrainLimits& limits) {
   return text;
 }
 
-std::optional<std::string> content_of(const fs::path& path) {
-  std::error_code none;
-  // What stands there may be anybody's: nothing that has no end or is elsewhere.
-  if (!fs::is_regular_file(fs::symlink_status(path, none))) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  return file.bad() ? std::nullopt : std::optional(std::move(content));
-}
-
-/// What a file says in JSON; null where it says nothing of the kind.
-Json json_in(const fs::path& path) {
-  const auto content = content_of(path);
-  Json json = content ? parse_shallow(*content) : Json(nullptr);
-  return json.is_object() ? json : Json(nullptr);
-}
-
-bool are_as_written(const Json& files, const fs::path& folder) {
-  if (!files.is_object() || files.empty()) return false;
-  for (const auto& [name, hash] : files.items()) {
-    const fs::path file = path_of(name);
-    if (file.filename() != file) return false;
-    const auto content = content_of(folder / file);
-    if (!content || !hash.is_string() || hash != hash_of(*content)) return false;
-  }
-  return true;
-}
-
 std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
   std::vector<Vec2> pattern;
   pattern.reserve(positions.size());
@@ -196,13 +161,13 @@ OutputFile job_file(const PatchJob& job, const FinishedPatch& results,
   json["figures"] = figures_json(results);
   json["files"] = Json::object();
   for (const OutputFile& file : files) {
-    json["files"][utf8_of(file.path.lexically_relative(folder))] = hash_of(file.content);
+    json["files"][utf8_of(file.path.lexically_relative(folder))] = content_hash(file.content);
   }
   return {folder / k_job_file, text_of(json)};
 }
 
 std::optional<FinishedPatch> finished_results(const PatchJob& job, const fs::path& folder) {
-  Json found = json_in(folder / k_job_file);
+  Json found = kept_json(folder / k_job_file);
   if (found.is_null() || !found.contains("files") || !found.contains("figures"))
     return std::nullopt;
   const Json files = std::move(found["files"]);

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
+#include <string_view>
 
 #include <planish/core/context.h>
 
@@ -25,6 +27,9 @@ struct RunContext {
   SystemFacts (*system_facts)() = nullptr;
   /// Gets the progress of jobs that have a line of progress, from their thread; may be empty.
   std::function<void(const Progress&)> on_progress = {};
+  std::istream* in = nullptr;  ///< standard input; null where there is none
+  /// Gets each line of results that a run prints while it works, without its end; may be empty.
+  std::function<void(std::string_view line)> on_line = {};
 };
 
 inline constexpr int k_exit_done = 0;

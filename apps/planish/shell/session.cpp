@@ -48,6 +48,15 @@ void Session::tell(const std::string& line) {
   err_ << Shown{line} << std::endl;
 }
 
+void Session::print(std::string_view line) {
+  clear_progress();
+  if (context_.on_line) context_.on_line(line);
+}
+
+RunContext Session::inner_context() const {
+  return {.interrupted = context_.interrupted};
+}
+
 void Session::warn(const std::string& message) {
   clear_progress();
   err_ << "warning: " << Shown{message} << "\n";

@@ -6,6 +6,7 @@
 #include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,8 @@ class Session {
   void note(const std::string& message);
   /// Says how far a long job has come; nothing with --quiet.
   void tell(const std::string& line);
+  /// Prints a line of results on standard output, as soon as it is known.
+  void print(std::string_view line);
   /// Says what a user must know.
   void warn(const std::string& message);
 
@@ -46,6 +49,11 @@ class Session {
   /// fails: what the run was for is done by then.
   void open(const std::filesystem::path& page) noexcept;
   SystemFacts system_facts() const;
+  /// Null where there is none.
+  std::istream* standard_input() const { return context_.in; }
+  /// Of a run inside of this one, which says what it has to say elsewhere, and ends where the user
+  /// asks to stop.
+  RunContext inner_context() const;
   /// Goes on although the user asked to stop, as where a search was stopped and its best answer is
   /// used. Asked a second time, the program ends at once.
   void resume() { is_resumed_ = true; }

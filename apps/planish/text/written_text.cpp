@@ -88,7 +88,8 @@ std::string written_text(const std::filesystem::path& folder, const WrittenFiles
     });
     if (!has_role) text += line_of(utf8_of(name_of(file.path)), {});
   }
-  return text + page_line(path_of(paths.at("report_html")));
+  const auto page = paths.find("report_html");
+  return page == paths.end() ? text : text + page_line(path_of(page->second));
 }
 
 }  // namespace planish::cli

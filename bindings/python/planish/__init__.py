@@ -25,7 +25,7 @@ from ._verbs.drawing import dxf, pdf, plt, svg
 from ._verbs.evolve import evolve, evolve_sweeps
 from ._verbs.flatten import flatten
 from ._verbs.measure import measure
-from ._verbs.product import flatten_product
+from ._verbs.product import flatten_many, flatten_product
 from ._verbs.read import read
 from ._verbs.sample import sample
 from ._verbs.suggest_cuts import suggest_cuts
@@ -65,6 +65,7 @@ __all__ = [
     "evolve",
     "evolve_sweeps",
     "flatten",
+    "flatten_many",
     "flatten_product",
     "materials",
     "measure",

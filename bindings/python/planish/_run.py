@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence, TypeVar
 
@@ -16,6 +17,7 @@ Result = TypeVar("Result")
 # Keywords of files, which may also be given as rows.
 ROW_KEYWORDS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner_lines", "edge_allowances"}
 NOT_FLAGS = {"mesh", "faces", "name", "progress", "patches", "result", "path", "as_designed"}
+NOT_FLAGS |= {"inputs", "out", "shard", "workers", "resume", "csv", "keep_failures"}
 
 
 def keywords_of(arguments: Mapping[str, Any]) -> dict[str, Any]:
@@ -93,6 +95,32 @@ def run_product(
     if not pairs:
         raise errors.make("no_triangles", "the product has no patches")
     return _core.flatten_meshes(name or "product", pairs, typed(keywords), progress)
+
+
+def run_many(
+    inputs: Path | Sequence[Path],
+    out: Path,
+    shard: Optional[str],
+    workers: Optional[int],
+    resume: bool,
+    csv: Optional[Path],
+    keep_failures: Optional[Path],
+    keywords: dict[str, Any],
+    progress: Optional[Progress],
+) -> list[dict[str, Any]]:
+    """Flattens the files of a list, or those that are named, one by one."""
+    given = {**typed(keywords), "output": text_of(out), "shard": shard, "threads": workers, "resume": resume}
+    for keyword, path in {"csv": csv, "keep_failures": keep_failures}.items():
+        given[keyword] = None if path is None else text_of(path)
+    paths = []
+    if isinstance(inputs, (str, os.PathLike)):
+        given["inputs"] = text_of(inputs)
+    else:
+        paths = [text_of(path) for path in inputs]
+        if not paths:
+            return []
+    records = [json.loads(line) for line in _core.flatten_many(paths, given, progress)]
+    return sorted(records, key=lambda record: int(record["number"]))
 
 
 def draw(result: Any, format_name: str, path: Optional[Path], as_designed: bool, keywords: dict[str, Any]) -> bytes:

@@ -116,6 +116,7 @@ class Sweeps {
 
 void register_sweeps(py::module_& module) {
   py::class_<Sweep>(module, "Sweep", "A patch after one sweep.")
+      .def(pickled<Sweep>())
       .def_property_readonly("sweep", value_at<&Sweep::record, &SweepRecord::sweep>,
                              "Its number, from 1.")
       .def_property_readonly("e_max", value_at<&Sweep::record, &SweepRecord::e_max>,

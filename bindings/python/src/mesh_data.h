@@ -51,5 +51,6 @@ void register_patterns(py::module_& module);
 void register_panels(py::module_& module);
 void register_compare(py::module_& module);
 void register_product(py::module_& module);
+void register_many(py::module_& module);
 
 }  // namespace planish::python

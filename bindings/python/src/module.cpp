@@ -53,4 +53,5 @@ PYBIND11_MODULE(_core, module) {
   register_patterns(module);
   register_compare(module);
   register_product(module);
+  register_many(module);
 }

@@ -53,6 +53,37 @@ class Pickle(unittest.TestCase):
                 for name, values in getattr(result, "fields", {}).items():
                     np.testing.assert_array_equal(other.fields[name], values)
 
+    def test_parts_of_results(self):
+        compared = planish.compare(self.panel, methods="controllable,classical", sweeps=2)
+        for run in compared.runs:
+            other = copied(run)
+            self.assertEqual((other.method, other.failure), (run.method, run.failure))
+            np.testing.assert_array_equal(other.vertices, run.vertices)
+        for sweep in planish.evolve_sweeps(self.panel, sweeps=2):
+            other = copied(sweep)
+            for name in ("sweep", "e_max", "e_avg", "energy", "moved", "seconds"):
+                self.assertEqual(getattr(other, name), getattr(sweep, name))
+
+    def test_every_public_result_is_tried(self):
+        classes = {name for name in planish.__all__ if isinstance(getattr(planish, name), type)}
+        results = {name for name in classes if name.endswith(("Result", "Method")) or name in {"Mesh", "Sweep"}}
+        compared = planish.compare(self.panel, methods="controllable", sweeps=1)
+        made = [
+            self.panel,
+            planish.flatten(self.panel, no_report=True),
+            planish.flatten_product({"a": self.panel}),
+            planish.unfold(self.panel),
+            planish.evolve(self.panel, sweeps=1),
+            planish.measure(self.panel),
+            compared,
+            compared.runs[0],
+            next(iter(planish.evolve_sweeps(self.panel, sweeps=1))),
+            planish.suggest_cuts(self.panel, max_strain="90%"),
+            planish.suggest_panels(self.panel, effort=1),
+        ]
+        tried = {type(copied(value)).__name__ for value in made}
+        self.assertEqual(tried, results)
+
     def test_copies_write_the_same_files(self):
         result = flattened(self.panel)
         other = copied(result)

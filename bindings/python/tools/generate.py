@@ -38,7 +38,7 @@ LEFT_OUT = {
     "require_target": "result.target_met and result.limits_met",
     "product": "flatten_product()",
     "rename": "pieces are called as their meshes are",
-    "resume": "nothing is written before the end",
+    **dict.fromkeys(["inputs", "shard", "keep_failures", "resume"], "flatten_many()"),
     "picture": "directions and cuts are not drawn from Python",
     "apply": "result.vertices and result.faces",
     "list": "an unknown name says which there are",
@@ -60,6 +60,13 @@ LEFT_OUT_OF = {
     "flatten_product": {
         name: "of one patch"
         for name in "cut cut_along smooth_lines keep_small fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
+    },
+    "flatten_many": {
+        "threads": "workers",
+        "piece": "of one product",
+        **dict.fromkeys(
+            "fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split(), "of one patch"
+        ),
     },
     "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps", **READING},
 }
@@ -98,6 +105,16 @@ FUNCTIONS = {
         "return _run.run_product(patches, name, given, progress)",
         "Flattens the patches of a product together: mesh files or one product file, which are divided into patches "
         "as the program does, or meshes, each one patch, by their names.",
+    ),
+    "flatten_many": (
+        "flatten",
+        "inputs: Path | Sequence[Path], *, out: Path, shard: Optional[str] = None, workers: Optional[int] = None, "
+        f"resume: bool = False, csv: Optional[Path] = None, keep_failures: Optional[Path] = None, {PROGRESS}",
+        "list[dict[str, Any]]",
+        "return _run.run_many(inputs, out, shard, workers, resume, csv, keep_failures, given, progress)",
+        "Flattens many mesh files one by one, as `flatten --inputs` does, and writes each into a folder in out: the files "
+        "of a sequence of paths, or those that one path of a list names, a line each. Gives a record of each patch, in "
+        "the order of the files; one that fails has an error. Memory does not grow with the number of files.",
     ),
     "evolve": (
         "evolve",
@@ -171,6 +188,7 @@ for form, kind in {"svg": "SVG", "dxf": "DXF", "pdf": "PDF", "plt": "HPGL"}.item
 # The modules of planish/_verbs that hold more than the function of their name.
 MODULES = {
     "flatten_product": "product",
+    "flatten_many": "product",
     "evolve_sweeps": "evolve",
     **dict.fromkeys(DRAWING_FLAGS, "drawing"),
 }
@@ -292,7 +310,7 @@ def module_source(functions):
     return (
         HEAD
         + "\nfrom __future__ import annotations\n\n"
-        + import_of("typing", ["TYPE_CHECKING", "Literal", "Mapping", "Optional", "Sequence"], body)
+        + import_of("typing", ["TYPE_CHECKING", "Any", "Literal", "Mapping", "Optional", "Sequence"], body)
         + "\n"
         + import_of("..", ["_core", "_meshes", "_run"], body)
         + body

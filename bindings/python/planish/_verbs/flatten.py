@@ -28,7 +28,6 @@ def flatten(
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
     textured: Optional[bool] = None,
-    no_report: Optional[bool] = None,
     paper: Optional[str] = None,
     page_overlap: Optional[Amount] = None,
     for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
@@ -133,7 +132,6 @@ def flatten(
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
-        no_report: leave out the page of the report, and the table of what less stretch costs
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter,
             legal or tabloid, or a size of your own as 36inx48in
         page_overlap: of neighbouring pages of --paper (default 10mm)

@@ -23,8 +23,10 @@ std::string_view to_string(Corners corners);
 /// A dart that is sewn and folded to one side, and so not cut out: two edges of the outline that
 /// meet at its tip. Points of a loop, in the order of the border.
 struct FoldedDart {
-  std::size_t loop = 0;
-  std::size_t from = 0, tip = 0, to = 0;
+  std::size_t loop = 0;    ///< of the outline
+  std::size_t from = 0;    ///< where it leaves the border
+  std::size_t tip = 0;     ///< its inner end
+  std::size_t to = 0;      ///< where it comes back to the border
   bool toward_to = false;  ///< folded over the piece behind `to`, else over that before `from`
 };
 

@@ -37,7 +37,7 @@ struct FlattenPage {
   std::string material_use = {};  ///< how much of that it takes, plain text
   std::vector<SweepRecord> reference = {};  ///< as reference_sweeps()
   std::vector<PageFile> files = {};         ///< with the pattern; links to them
-  PageProject project = {};
+  PageProject project = {};                 ///< for the link that opens the app
 };
 
 /// The main job's result as one HTML page that needs nothing else: the patch before and after,
@@ -60,7 +60,7 @@ struct ProductPage {
   std::vector<std::string> reports = {};
   std::vector<Drawing> sheets = {};  ///< with the pieces on them, nest_sheet()
   std::string on_sheets = {};        ///< what they are and how well they are used, plain text
-  PageProject project = {};
+  PageProject project = {};          ///< for the link that opens the app
 };
 
 /// What became of a product as such a page: all pieces together, which can be turned and moved

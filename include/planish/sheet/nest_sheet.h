@@ -44,8 +44,8 @@ struct DoubleCloth {
     std::string name;  ///< of the patch
     int copies = 0;    ///< that are cut from one of the two layers alone
   };
-  std::vector<NestPatch> patches;
-  std::vector<Single> single = {};
+  std::vector<NestPatch> patches;   ///< that are laid
+  std::vector<Single> single = {};  ///< pieces without as many mirror images
 };
 
 /// The patches as they are laid on cloth that is folded along its length: each copy gives a piece

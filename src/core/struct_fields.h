@@ -25,7 +25,7 @@ constexpr std::size_t field_count() {
 template <class Struct, class Visit>
 void with_fields(Struct& s, Visit& visit) {
   constexpr std::size_t count = field_count<std::remove_const_t<Struct>>();
-  static_assert(count <= 22, "with_fields() needs one more case");
+  static_assert(count <= 24, "with_fields() needs one more case");
   if constexpr (count == 1) {
     auto& [a] = s;
     visit(a);
@@ -92,6 +92,12 @@ void with_fields(Struct& s, Visit& visit) {
   } else if constexpr (count == 22) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w] = s;
     visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w);
+  } else if constexpr (count == 23) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x] = s;
+    visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x);
+  } else if constexpr (count == 24) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y] = s;
+    visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y);
   }
 }
 

@@ -22,6 +22,7 @@ def svg(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -53,6 +54,7 @@ def svg(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
@@ -94,6 +96,7 @@ def dxf(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -130,6 +133,7 @@ def dxf(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
@@ -168,6 +172,7 @@ def pdf(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -201,6 +206,7 @@ def pdf(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
@@ -237,6 +243,7 @@ def plt(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -267,6 +274,7 @@ def plt(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an

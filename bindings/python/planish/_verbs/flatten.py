@@ -28,6 +28,7 @@ def flatten(
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
     textured: Optional[bool] = None,
+    no_report: Optional[bool] = None,
     paper: Optional[str] = None,
     page_overlap: Optional[Amount] = None,
     for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
@@ -55,6 +56,7 @@ def flatten(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -71,6 +73,7 @@ def flatten(
     edge_lengths: Optional[bool] = None,
     sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
+    folded_cloth: Optional[bool] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -132,6 +135,7 @@ def flatten(
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
+        no_report: leave out the page of the report, and the table of what less stretch costs
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter,
             legal or tabloid, or a size of your own as 36inx48in
         page_overlap: of neighbouring pages of --paper (default 10mm)
@@ -149,9 +153,9 @@ def flatten(
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
         piece: a setting of one piece instead of the flag: front:allowance=12mm; keys: allowance, corners, hole-
-            allowance, kerf, edge-allowances, fold, notches, notch-depth, grain, marks, inner-lines, size, quantity,
-            mirrored, fabric, note, turn, material, name or out, allowance.N or hem.N of edge N and its name edge.N;
-            none: without that flag
+            allowance, kerf, edge-allowances, fold, open-folds, notches, notch-depth, grain, marks, inner-lines, size,
+            quantity, mirrored, fabric, note, darts, turn, material, name or out, allowance.N, hem.N or ends.N of edge
+            N and its name edge.N; none: without that flag
         cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
             "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open or auto (panels); may be repeated
         cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
@@ -174,6 +178,7 @@ def flatten(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
@@ -194,6 +199,8 @@ def flatten(
         sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
+        folded_cloth: the roll is folded along its length: pieces are cut as pairs, halves with their fold on that of
+            the cloth
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)

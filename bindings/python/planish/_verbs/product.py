@@ -26,6 +26,7 @@ def flatten_product(
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
     textured: Optional[bool] = None,
+    no_report: Optional[bool] = None,
     paper: Optional[str] = None,
     page_overlap: Optional[Amount] = None,
     for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
@@ -56,6 +57,7 @@ def flatten_product(
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
     kerf: Optional[Amount] = None,
+    open_folds: Optional[bool] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
     grain: Optional[str | float | Sequence[float]] = None,
@@ -68,6 +70,7 @@ def flatten_product(
     edge_lengths: Optional[bool] = None,
     sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
+    folded_cloth: Optional[bool] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -128,6 +131,7 @@ def flatten_product(
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
+        no_report: leave out the page of the report, and the table of what less stretch costs
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter,
             legal or tabloid, or a size of your own as 36inx48in
         page_overlap: of neighbouring pages of --paper (default 10mm)
@@ -145,9 +149,9 @@ def flatten_product(
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
         piece: a setting of one piece instead of the flag: front:allowance=12mm; keys: allowance, corners, hole-
-            allowance, kerf, edge-allowances, fold, notches, notch-depth, grain, marks, inner-lines, size, quantity,
-            mirrored, fabric, note, turn, material, name or out, allowance.N or hem.N of edge N and its name edge.N;
-            none: without that flag
+            allowance, kerf, edge-allowances, fold, open-folds, notches, notch-depth, grain, marks, inner-lines, size,
+            quantity, mirrored, fabric, note, darts, turn, material, name or out, allowance.N, hem.N or ends.N of edge
+            N and its name edge.N; none: without that flag
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
         avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
@@ -173,6 +177,7 @@ def flatten_product(
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
             (default 0)
+        open_folds: draw the whole of a piece with a fold, not its half
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
             .obj drawn on the model
         notch_depth: of notches (default 5mm, or half of less allowance)
@@ -188,6 +193,8 @@ def flatten_product(
         sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
+        folded_cloth: the roll is folded along its length: pieces are cut as pairs, halves with their fold on that of
+            the cloth
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)
@@ -278,6 +285,7 @@ def flatten_many(
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
     textured: Optional[bool] = None,
+    no_report: Optional[bool] = None,
     paper: Optional[str] = None,
     page_overlap: Optional[Amount] = None,
     for_: Optional[Literal["laser", "knife", "plotter", "projector", "apparel"]] = None,
@@ -311,6 +319,7 @@ def flatten_many(
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     hole_allowance: Optional[str] = None,
     kerf: Optional[Amount] = None,
+    open_folds: Optional[bool] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
     grain: Optional[str | float | Sequence[float]] = None,
@@ -323,6 +332,7 @@ def flatten_many(
     edge_lengths: Optional[bool] = None,
     sheet_unit: Optional[Literal["mm", "in"]] = None,
     curve_tolerance: Optional[Amount] = None,
+    folded_cloth: Optional[bool] = None,
     method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
@@ -383,6 +393,7 @@ def flatten_many(
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
+        no_report: leave out the page of the report, and the table of what less stretch costs
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter,
             legal or tabloid, or a size of your own as 36inx48in
         page_overlap: of neighbouring pages of --paper (default 10mm)
@@ -430,6 +441,7 @@ def flatten_many(
         hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
         kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
             (default 0)
+        open_folds: draw the whole of a piece with a fold, not its half
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
             .obj drawn on the model
         notch_depth: of notches (default 5mm, or half of less allowance)
@@ -445,6 +457,8 @@ def flatten_many(
         sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
+        folded_cloth: the roll is folded along its length: pieces are cut as pairs, halves with their fold on that of
+            the cloth
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)

@@ -51,6 +51,7 @@ def unfold(
     kerf: Optional[Amount] = None,
     edge_allowances: Optional[Rows] = None,
     fold: Optional[str | Sequence[int]] = None,
+    open_folds: Optional[bool] = None,
     notches: Optional[Rows] = None,
     seam_notches: Optional[Rows] = None,
     notch_depth: Optional[Amount] = None,
@@ -122,6 +123,7 @@ def unfold(
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
         fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
             allowance
+        open_folds: draw the whole of a piece with a fold, not its half
         notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
             the model
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an

@@ -86,8 +86,10 @@ Drawing size_nest(std::span<const NestPatch> sizes, Unit unit, const std::string
     patterns.push_back(placed_pattern(size.mesh, size.pattern, unit, size.name, size.annotations));
   }
   const std::vector<Vec2> middle = patterns[patterns.size() / 2].positions;
-  for (PatternGeometry& pattern : patterns)
-    pattern = moved(std::move(pattern), best_motion(pattern.positions, middle));
+  for (PatternGeometry& pattern : patterns) {
+    const Motion motion = best_motion(pattern.positions, middle);
+    pattern = moved(std::move(pattern), motion);
+  }
   LoopBox box = loop_box(patterns.front().cut);
   for (const PatternGeometry& pattern : patterns) {
     const LoopBox own = loop_box(pattern.cut);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "flags/annotation_flags.h"
+#include "flags/unfold_flags.h"
 #include "piece/single_patch_flags.h"
 #include "product/job.h"
 #include "product/rename.h"

@@ -23,7 +23,7 @@ SIZES = (100, 120, 140, 160, 180)
 
 
 def make_inputs(planish, folder, count):
-    """A list of so many meshes, all by formula; shapes and sizes repeat."""
+    """A list of meshes by formula, whose shapes and sizes repeat."""
     (folder / "in").mkdir()
     made = {}
     names = []

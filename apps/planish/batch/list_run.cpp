@@ -53,7 +53,7 @@ std::string content_of_input(const std::string& path) {
   return *std::move(content);
 }
 
-/// What a run is told by an exception.
+/// Turns an exception into the outcome of an input that failed.
 /// @pre called in a handler
 void take_failure(InputOutcome& outcome) {
   outcome.result = {{}, {}, k_exit_failed};
@@ -262,7 +262,7 @@ class ListRun {
       files.push_back(
           {folder / path_of(input.folder + extension_of(input.path)), std::move(content)});
     } catch (const Error&) {
-      // What cannot be read is told of alone.
+      // The input cannot be read: its records are kept without it.
     }
     session_.write(files, folder);
   }

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 9> k_idle_flags = {
     "--output", "--threads", "--quiet", "--json",         "--resume",
     "--inputs", "--shard",   "--csv",   "--keep-failures"};
 
-/// Keys of a record that tell what it depends on, besides the input's name.
+/// Keys of a record that identify the run: it is kept where they are the same.
 constexpr std::array k_causes = {"version", "sha256", "options", "option_files"};
 
 void add_file(const std::string& path, Json& files) {

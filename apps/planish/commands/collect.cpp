@@ -90,7 +90,7 @@ std::vector<Json> in_order(std::vector<Json> records) {
   return ordered;
 }
 
-/// Numbers of inputs that have no record, of so many.
+/// Numbers of the inputs of a list that have no record.
 std::vector<std::string> missing_of(const std::vector<Json>& records) {
   std::set<unsigned long long> there;
   unsigned long long all = 0;

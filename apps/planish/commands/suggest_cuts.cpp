@@ -129,8 +129,8 @@ Command suggest_cuts_command() {
          material_flag(),
          {"--max-cuts",
           "N",
-          "at most so many darts (0 to 50, default " + std::to_string(SuggestOptions{}.max_darts) +
-              ")",
+          "largest number of darts (0 to 50, default " +
+              std::to_string(SuggestOptions{}.max_darts) + ")",
           0,
           false,
           {.range = k_darts, .standard = std::to_string(SuggestOptions{}.max_darts)}}}}},

@@ -155,7 +155,7 @@ std::vector<Flag> stopping_flags() {
   std::vector<Flag> flags = flags_of(Stopping{});
   for (Flag& flag : flags) {
     if (flag.name != "--sweeps") continue;
-    flag.doc = "at most so many sweeps (default: what each method usually takes)";
+    flag.doc = "largest number of sweeps (default: what each method usually takes)";
     flag.accepts.standard.clear();
   }
   return flags;

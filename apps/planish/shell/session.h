@@ -51,8 +51,7 @@ class Session {
   SystemFacts system_facts() const;
   /// Null where there is none.
   std::istream* standard_input() const { return context_.in; }
-  /// Of a run inside of this one, which says what it has to say elsewhere, and ends where the user
-  /// asks to stop.
+  /// For a run inside this one: its messages go elsewhere, and it stops when this one is stopped.
   RunContext inner_context() const;
   /// Goes on although the user asked to stop, as where a search was stopped and its best answer is
   /// used. Asked a second time, the program ends at once.

@@ -458,7 +458,8 @@ def reference(description, core, planish):
     text = "\n## Functions\n"
     for function, (_, parameters, result, _, summary) in FUNCTIONS.items():
         short = re.sub(r": (?:[^,=\[]|\[[^]]*\])+(?= =|,|$)", "", parameters).replace(" = ", "=")
-        text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
+        signature = f"`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`"
+        text += f"\n### {function}\n\n{paragraph(signature)}\n"
         kind = summary.partition(" as ")[2].partition(",")[0]
         told = f"As [svg](#svg), in {kind}." if function in {"dxf", "pdf", "plt"} else summary
         text += paragraph(told) + "\n" + paragraph(f"Keywords: {keywords_told(description, function)}.")

@@ -143,8 +143,8 @@ void describe(LeastNorm& o, Visit&& visit) {
   visit("update", o.update, "how a step becomes positions until direct steps take over");
   visit("switch_e_max", o.switch_e_max,
         "direct steps take over when e_max is below this, in radians", Range{0.0});
-  visit("switch_after", o.switch_after, "and after so many faired steps, when one gains too little",
-        Range{0.0, 1e9});
+  visit("switch_after", o.switch_after,
+        "and after this number of faired steps, when one gains too little", Range{0.0, 1e9});
   visit("switch_fall", o.switch_fall, "too little: e_max falls by less than this, in radians",
         Range{0.0});
   visit(
@@ -187,7 +187,7 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
         "printed, which few dense patches bear",
         Range{1e-12, 1e3});
   visit("rebase_every", o.rebase_every,
-        "after so many steps the positions reached become those to stay at; 0: never",
+        "number of steps after which the positions reached become those to stay at; 0: never",
         Range{0.0, 1e9});
   visit("min_step", o.min_step,
         "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
@@ -212,7 +212,7 @@ void describe(LocalOffset& o, Visit&& visit) {
         "length of the edges at inner vertices",
         Range{0.0});
   visit("enough", o.enough, "a defect of at most this is left alone, in radians", Range{0.0});
-  visit("max_updates", o.max_updates, "at most so many vertices are tried, in all sweeps together",
+  visit("max_updates", o.max_updates, "largest number of vertices tried, in all sweeps together",
         Range{0.0, 1e9});
 }
 
@@ -271,7 +271,7 @@ struct LocalPerturbation {
 
 template <class Visit>
 void describe(LocalPerturbation& o, Visit&& visit) {
-  visit("rings", o.rings, "so many rings around a vertex move at once", Range{1.0, 10.0});
+  visit("rings", o.rings, "number of rings around a vertex that move at once", Range{1.0, 10.0});
   visit("inner_steps", o.inner_steps, "steps each time that a vertex is taken", Range{1.0, 1000.0});
   visit("tau", o.tau, "share of the solved step that is gone", Range{0.0, 1.0});
   visit("enough", o.enough, "e_max at which the method is done, in radians", Range{0.0});

@@ -36,7 +36,7 @@ def compare(
             (default 1)
         methods: which, with commas between: controllable, classical, least_norm, flattenable_laplacian, local_offset,
             global_penalty, local_perturbation, fairing or auto (default: all)
-        sweeps: at most so many sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
             snapped to the mesh

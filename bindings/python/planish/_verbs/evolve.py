@@ -99,7 +99,7 @@ def evolve(
         effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
-        sweeps: at most so many sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
@@ -114,7 +114,7 @@ def evolve(
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
             cotangent)
         switch_e_max: direct steps take over when e_max is below this, in radians (at least 0, default 0.001)
-        switch_after: and after so many faired steps, when one gains too little (at least 0, default 20)
+        switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
         switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
         damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
             to 1000, default 0); or how soft the constraints are, in units of the matrix; as small as 1e-9 they are
@@ -129,13 +129,13 @@ def evolve(
         position: w2: how much vertices are to stay where they began (1e-09 to 1e+06, default 0.1)
         tau: share of each step that is taken (0.001 to 1, default 0.25); or share of the solved step that is gone (0
             to 1, default 0.1)
-        rebase_every: after so many steps the positions reached become those to stay at; 0: never (at least 0, default
-            0)
+        rebase_every: number of steps after which the positions reached become those to stay at; 0: never (at least 0,
+            default 0)
         band: no vertex ends further than this from where it began, in model units; 0 for the mean length of the edges
             at inner vertices (at least 0, default 0)
         enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
             method is done, in radians (at least 0, default 0.001)
-        max_updates: at most so many vertices are tried, in all sweeps together (at least 0, default 500000)
+        max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
         cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
         tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
             first (0 to 1, default 1e-04)
@@ -143,7 +143,7 @@ def evolve(
             together; all others stay (fixed or linked, default fixed); or what vertices of the border may do: stay,
             slide along the border as it was, or go as far from where they were as this, in model units (fixed, slide
             or a length such as 1.5 or 1.5mm, default fixed)
-        rings: so many rings around a vertex move at once (1 to 10, default 3)
+        rings: number of rings around a vertex that move at once (1 to 10, default 3)
         inner_steps: steps each time that a vertex is taken (1 to 1000, default 5)
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
@@ -251,7 +251,7 @@ def evolve_sweeps(
         effort: how many divisions are tried (1 to 1000, default 6); more are never worse
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
-        sweeps: at most so many sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
@@ -266,7 +266,7 @@ def evolve_sweeps(
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
             cotangent)
         switch_e_max: direct steps take over when e_max is below this, in radians (at least 0, default 0.001)
-        switch_after: and after so many faired steps, when one gains too little (at least 0, default 20)
+        switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
         switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
         damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
             to 1000, default 0); or how soft the constraints are, in units of the matrix; as small as 1e-9 they are
@@ -281,13 +281,13 @@ def evolve_sweeps(
         position: w2: how much vertices are to stay where they began (1e-09 to 1e+06, default 0.1)
         tau: share of each step that is taken (0.001 to 1, default 0.25); or share of the solved step that is gone (0
             to 1, default 0.1)
-        rebase_every: after so many steps the positions reached become those to stay at; 0: never (at least 0, default
-            0)
+        rebase_every: number of steps after which the positions reached become those to stay at; 0: never (at least 0,
+            default 0)
         band: no vertex ends further than this from where it began, in model units; 0 for the mean length of the edges
             at inner vertices (at least 0, default 0)
         enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
             method is done, in radians (at least 0, default 0.001)
-        max_updates: at most so many vertices are tried, in all sweeps together (at least 0, default 500000)
+        max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
         cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
         tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
             first (0 to 1, default 1e-04)
@@ -295,7 +295,7 @@ def evolve_sweeps(
             together; all others stay (fixed or linked, default fixed); or what vertices of the border may do: stay,
             slide along the border as it was, or go as far from where they were as this, in model units (fixed, slide
             or a length such as 1.5 or 1.5mm, default fixed)
-        rings: so many rings around a vertex move at once (1 to 10, default 3)
+        rings: number of rings around a vertex that move at once (1 to 10, default 3)
         inner_steps: steps each time that a vertex is taken (1 to 1000, default 5)
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this

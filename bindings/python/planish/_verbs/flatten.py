@@ -203,7 +203,7 @@ def flatten(
             the cloth
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default auto)
-        sweeps: at most so many sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
             as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
@@ -234,7 +234,7 @@ def flatten(
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
             cotangent)
         switch_e_max: direct steps take over when e_max is below this, in radians (at least 0, default 0.001)
-        switch_after: and after so many faired steps, when one gains too little (at least 0, default 20)
+        switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
         switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
         damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
             to 1000, default 0); or how soft the constraints are, in units of the matrix; as small as 1e-9 they are
@@ -249,17 +249,17 @@ def flatten(
         position: w2: how much vertices are to stay where they began (1e-09 to 1e+06, default 0.1)
         tau: share of each step that is taken (0.001 to 1, default 0.25); or share of the solved step that is gone (0
             to 1, default 0.1)
-        rebase_every: after so many steps the positions reached become those to stay at; 0: never (at least 0, default
-            0)
+        rebase_every: number of steps after which the positions reached become those to stay at; 0: never (at least 0,
+            default 0)
         band: no vertex ends further than this from where it began, in model units; 0 for the mean length of the edges
             at inner vertices (at least 0, default 0)
         enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
             method is done, in radians (at least 0, default 0.001)
-        max_updates: at most so many vertices are tried, in all sweeps together (at least 0, default 500000)
+        max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
         cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
         tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
             first (0 to 1, default 1e-04)
-        rings: so many rings around a vertex move at once (1 to 10, default 3)
+        rings: number of rings around a vertex that move at once (1 to 10, default 3)
         inner_steps: steps each time that a vertex is taken (1 to 1000, default 5)
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this

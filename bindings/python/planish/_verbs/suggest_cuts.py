@@ -34,7 +34,7 @@ def suggest_cuts(
         max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
             stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
-        max_cuts: at most so many darts (0 to 50, default 6)
+        max_cuts: largest number of darts (0 to 50, default 6)
         threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())

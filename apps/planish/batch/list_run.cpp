@@ -221,7 +221,7 @@ class ListRun {
   }
 
  private:
-  void take(DoneInput done) {
+  void take(const DoneInput& done) {
     if (done.fault) std::rethrow_exception(done.fault);
     bool has_failed = false;
     for (const Json& record : done.records) {

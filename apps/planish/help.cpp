@@ -108,7 +108,7 @@ std::string short_help() {
   return "Usage: planish VERB [flags] INPUT ...\n\n"
          "  planish flatten panel.obj     the whole job: lay flat, write the pattern\n"
          "  planish measure panel.obj     how far the patch is from flattenable\n\n"
-         "planish --help tells the rest.\n";
+         "planish --help shows the rest.\n";
 }
 
 }  // namespace planish::cli

@@ -18,7 +18,7 @@ namespace planish {
 namespace {
 
 /// Methods that solve for all vertices at once join every two neighbours of a movable vertex in one
-/// matrix: with so many neighbours it has some gigabytes.
+/// matrix: with more neighbours it has some gigabytes.
 constexpr std::size_t k_most_neighbours = 4000;
 
 template <class M>

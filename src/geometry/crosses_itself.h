@@ -18,7 +18,7 @@ bool crosses_itself(std::span<const Vec2> polygon);
 /// The same of several closed polygons, whose sides must not cross each other either.
 bool crosses_itself(std::span<const Vec2> points, const LoopOrder& loops);
 
-/// Such sides, by the number of their first end, as far as there are so many pairs, in no special
+/// Such sides, by the number of their first end, up to this number of pairs, in no special
 /// order.
 std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
                                                                 std::size_t most);
@@ -26,7 +26,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const 
                                                                 const LoopOrder& loops,
                                                                 std::size_t most);
 
-/// Where such sides cross, as far as there are so many places, in no special order.
+/// Where such sides cross, up to this number of places, in no special order.
 std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most);
 std::vector<Vec2> self_crossings(std::span<const Vec2> points, const LoopOrder& loops,
                                  std::size_t most);

@@ -254,7 +254,7 @@ void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, In
   }
 }
 
-/// The least demanding purpose that a problem stands in the way of, if it does of any.
+/// The least demanding purpose that a problem prevents, if any.
 std::optional<Purpose> blocked_from(ErrorCode code) {
   switch (code) {
     case ErrorCode::index_out_of_range:
@@ -368,7 +368,8 @@ std::optional<Problem> blocking_problem(const Inspection& inspection, Purpose pu
 
 namespace {
 
-/// Of a mesh that lacks so many triangles that its file may have been cut short; else nothing.
+/// A problem where a mesh lacks enough triangles that its file may have been cut short; else
+/// nothing.
 std::string unused_vertices_text(const Inspection& inspection) {
   constexpr double k_many = 0.05;
   for (const Problem& problem : inspection.problems) {

@@ -11,14 +11,12 @@
 #include <string_view>
 #include <utility>
 
-#include "core/figure_text.h"
 #include "core/math.h"
-#include "draw/text/text_lines.h"
 #include "pattern/polygon/free_strip.h"
 #include "pattern/polygon/polygon_rays.h"
+#include "sheet/edge_texts.h"
 #include "sheet/piece/line_path.h"
 #include "sheet/piece/outline_paths.h"
-#include "sheet/piece/sheet_length.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -147,10 +145,10 @@ std::vector<std::string> lines_of(const PieceLabel& label, bool on_fold) {
 
 /// Of the longest line, in heights of a capital.
 double width_of(const std::vector<std::string>& lines) {
-  std::size_t most = 0;
+  double widest = 0.0;
   for (const std::string& line : lines)
-    most = std::max(most, letters_in(line));
-  return sheet::k_letter_width * static_cast<double>(most);
+    widest = std::max(widest, text_width(line));
+  return widest;
 }
 
 /// A label's place and the height of its letters.
@@ -202,12 +200,26 @@ struct FittingLabel {
   bool fits = false;
 };
 
+/// Heights of letters to try, millimetres, the largest first: those of large pieces can be read
+/// from as far off as the whole piece can be seen.
+std::vector<double> label_heights(const Polygon& outline) {
+  constexpr std::array k_usual = {6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.6, 1.3, 1.0};
+  std::vector<double> heights;
+  if (const double scale = letter_scale(outline); scale > 1.0) {
+    for (const double height : k_usual)
+      heights.push_back(scale * height);
+  }
+  heights.insert(heights.end(), k_usual.begin(), k_usual.end());
+  std::sort(heights.rbegin(), heights.rend());
+  return heights;
+}
+
 /// As large as fits between the loops; where nothing fits, small and as near to inside as can be.
 /// @param smallest height, millimetres
 FittingLabel label_between(std::span<const Polygon> loops, const std::vector<std::string>& lines,
                            double smallest) {
   FittingLabel label{{loops.front().front(), smallest}};
-  for (const double height : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.6, 1.3, 1.0}) {
+  for (const double height : label_heights(loops.front())) {
     if (height < smallest) break;
     const double half = 0.5 * k_line_pitch * height * static_cast<double>(lines.size());
     const double width = width_of(lines) * height;
@@ -232,86 +244,12 @@ std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::s
   return ClearBox{place.middle - half, place.middle + half};
 }
 
-/// Half of what a level text of one line takes in a direction of unit length.
-double half_extent(const std::string& text, double height, Vec2 direction) {
-  return 0.5 * height * (std::abs(direction.x) * width_of({text}) + std::abs(direction.y));
-}
-
-/// A level text on the left of a line through `at` along `way`: its box keeps the gap.
-Text text_beside(Vec2 at, Vec2 way, double gap, double height, std::string text) {
-  const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
-  const Vec2 middle = at + (gap + half_extent(text, height, left)) * left;
-  return {{middle.x, middle.y - 0.5 * height},
-          height,
-          std::move(text),
-          sheet::k_annotation_color,
-          true};
-}
-
-constexpr double k_length_gap = 2.75, k_length_height = 2.5;
-
-/// Before lengths: "hem ", or with settings of any edge the number of this one, as "2: ".
-std::vector<std::string> names_of_edges(const PieceOutline& outline,
-                                        const std::vector<PatternEdge>& named) {
-  std::vector<std::string> names = words_of_edges(outline, named);
-  for (std::size_t e = 0; e < names.size(); ++e) {
-    const bool is_number = names[e] == PatternEdge{static_cast<int>(e) + 1}.words();
-    names[e] = named.empty() ? "" : is_number ? std::to_string(e + 1) + ": " : names[e] + " ";
-  }
-  return names;
-}
-
-/// Millimetres need no word, inches have one.
-std::string length_of_edge(double length, Unit unit) {
-  return unit == Unit::mm ? decimals_text(length, 1) : sheet_length(length, unit, 1);
-}
-
-/// The lengths from corner to corner, each beside the middle of its edge, inside.
-void add_edge_lengths(const PieceOutline& outline, const PatternOptions& options,
-                      std::vector<Text>& texts) {
-  constexpr double shortest = 5.0;
-  const std::vector<OutlineEdge> edges = edges_between_corners(outline);
-  const std::vector<std::string> names = names_of_edges(outline, options.edges);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const OutlineEdge& edge = edges[e];
-    if (edge.length < shortest) continue;
-    const Polygon& loop = outline.loops[edge.loop];
-    const std::size_t k = edge.points.size() / 2;
-    const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
-    if (!(norm(way) > 0.0)) continue;
-    texts.push_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
-                                names[e] + length_of_edge(edge.length, options.sheet_unit)));
-  }
-}
-
-/// The numbers of seams, each farther inside than a length of its edge would be.
-void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>& numbers,
-                      bool beside_lengths, std::vector<Text>& texts) {
-  constexpr double height = 4.0, gap = 3.5;
-  for (const SeamNumber& seam : numbers) {
-    for (std::size_t l = 0; l < outline.vertices.size(); ++l) {
-      const std::vector<Index>& vertices = outline.vertices[l];
-      const auto found = std::find(vertices.begin(), vertices.end(), seam.vertex);
-      if (found == vertices.end()) continue;
-      const Polygon& loop = outline.loops[l];
-      const std::size_t n = loop.size(), k = static_cast<std::size_t>(found - vertices.begin());
-      const Vec2 way = loop[(k + 1) % n] - loop[(k + n - 1) % n];
-      if (!(norm(way) > 0.0)) continue;
-      const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
-      const double length =
-          beside_lengths ? 2.0 * half_extent("1000.0", k_length_height, left) : 0.0;
-      texts.push_back(
-          text_beside(loop[k], way, gap + length, height, "seam " + std::to_string(seam.number)));
-    }
-  }
-}
-
 /// The boxes of centred level texts, as lines that enclose nothing.
 std::vector<Polygon> boxes_of(const std::vector<Text>& texts) {
   std::vector<Polygon> boxes;
   boxes.reserve(texts.size());
   for (const Text& text : texts) {
-    const double half = half_extent(text.text, text.height, {1.0, 0.0}), top = text.height;
+    const double half = 0.5 * text.height * text_width(text.text), top = text.height;
     const Vec2 at = text.at;
     boxes.push_back(
         there_and_back({at + Vec2{-half, 0.0}, at + Vec2{half, 0.0}, at + Vec2{half, top},
@@ -356,9 +294,7 @@ PatternGeometry annotated(PatternGeometry pattern, const TriMesh& mesh) {
   for (const Mark& mark : options.marks)
     pattern.marks.push_back(place_of(mark, pattern.positions));
   if (options.fold) pattern.fold = fold_line(pattern);
-  std::vector<Text> beside_edges;
-  if (options.edge_lengths) add_edge_lengths(outline, options, beside_edges);
-  add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, beside_edges);
+  std::vector<Text> beside_edges = edge_texts(outline, options);
   std::vector<Polygon> free = free_loops(pattern);
   for (Polygon& box : boxes_of(beside_edges))
     free.push_back(std::move(box));

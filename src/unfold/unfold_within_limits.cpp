@@ -22,7 +22,8 @@ constexpr double k_within = 0.999;
 // The share of the area on which p99 does not ask for anything; a little less is made use of.
 constexpr double k_asked = 0.99, k_freed = 0.0099;
 constexpr int k_most_p99_rounds = 4;
-// Edges that are freed from the limit may have so many times it, or the most that any has without.
+// Edges that are freed from the limit may have this multiple of it, or the most that any has
+// without.
 constexpr double k_freed_limits = 3.0;
 // What stands for no bound: an edge a million times as long.
 constexpr double k_unbounded = 1e6;

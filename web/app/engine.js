@@ -4,7 +4,7 @@
  * What emscripten makes of bindings/wasm.
  * @typedef {object} Module
  * @property {any} FS
- * @property {(words: string[], told: (stage: string, share: number, subject: string) => void) => Run} run
+ * @property {(words: string[], on_progress: (stage: string, share: number, subject: string) => void) => Run} run
  * @property {(paths: string[]) => Surface | {error: string}} openSurface
  * @property {(places: number[]) => Float64Array | {error: string}} lineThrough
  * @property {(inSpace: string, flat: string) => Laid | {error: string}} readLaid

@@ -8,7 +8,7 @@ import { colorLimit, joined } from './mesh.js';
 /** @typedef {import('./stage.js').Stage} Stage */
 /** @typedef {import('../viewer/color_scale.js').Color} Color */
 
-/** Colours of pieces, told apart by colour-blind eyes as well. @type {Color[]} */
+/** Colours of pieces, different for colour-blind eyes as well. @type {Color[]} */
 const tints = [
   [120, 170, 219],
   [240, 178, 90],

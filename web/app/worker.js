@@ -26,7 +26,7 @@ class Program {
   constructor(module) {
     this.module = module;
     /** @type {(stage: string, share: number, subject: string) => void} */
-    this.told = () => {};
+    this.on_progress = () => {};
     module.FS.mkdir(folder);
     module.FS.chdir(folder);
   }
@@ -74,7 +74,7 @@ class Program {
 
   /** @param {string[]} words */
   run(words) {
-    return this.module.run(words, this.told);
+    return this.module.run(words, this.on_progress);
   }
 
   /** @param {string[]} names */
@@ -180,7 +180,7 @@ async function answer({ id, call, values }) {
     }
     if (!program) throw new Error('the program was not started');
     const own = await program;
-    own.told = (stage, share, subject) => postMessage({ id, progress: { stage, share, subject } });
+    own.on_progress = (stage, share, subject) => postMessage({ id, progress: { stage, share, subject } });
     const result = /** @type {any} */ (own)[call](...values);
     postMessage({ id, result }, { transfer: buffersOf(result) });
   } catch (error) {

@@ -1,4 +1,4 @@
-// What the graphics card is told to do with a patch, its lines and their numbers.
+// How the graphics card draws a patch, its lines and their numbers.
 import { rounding } from './figures.js';
 
 // Pieces stand apart along ways of their own.
@@ -61,7 +61,7 @@ void main() {
     float key = clamp(dot(normal, vec3(-0.46, 0.56, 0.69)), 0.0, 1.0);
 #ifdef PIECES
     color = gl_FrontFacing ? own : mix(own, vec3(0.55), 0.5);
-    light = 0.62 + 0.07 * normal.y + 0.4 * key; // colours must be told apart in the shade too
+    light = 0.62 + 0.07 * normal.y + 0.4 * key; // colours must differ in the shade too
 #else
     color = gl_FrontFacing ? vec3(0.86, 0.835, 0.79) : vec3(0.66, 0.68, 0.72);
     light = 0.43 + 0.09 * normal.y + 0.54 * key;

@@ -279,22 +279,23 @@ class ListRun {
 
 std::vector<Flag> list_flags() {
   return {{"--inputs", "FILE",
-           "work on each input of a list, a path a line, by itself; - reads the list from standard "
-           "input. Prints a line of JSON for each patch"},
+           "work on each input of a list by itself: one path a line; - reads the list from "
+           "standard input. Prints one line of JSON for each patch"},
           {"--shard",
            "K/N",
-           "of --inputs, every Nth input from the Kth on, so that N machines share them",
+           "with --inputs: work only on every Nth input, from the Kth on, so that N machines can "
+           "share a list",
            0,
            false,
            {.type = ValueType::text}},
           {"--csv",
            "FILE",
-           "of --inputs, the figures as comma-separated values, a line a patch",
+           "with --inputs: write the figures as comma-separated values, one line for each patch",
            0,
            false,
            {.extensions = {"csv"}}},
           {"--keep-failures", "FOLDER",
-           "of --inputs, copy each input that fails to there, with its error"}};
+           "with --inputs: copy each input that fails into FOLDER, with its error"}};
 }
 
 void refuse_list_flags(const Arguments& arguments) {

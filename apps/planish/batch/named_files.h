@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> output_places(
     std::span<const WorkFile> files, const std::filesystem::path& folder,
     const std::function<std::string(const std::string&)>& extension);
 
-/// The end of a path, where files of one folder differ, in so many columns.
+/// The end of a path, where files of one folder differ, in this number of columns.
 std::string short_path(const std::string& path, std::size_t width);
 
 }  // namespace planish::cli

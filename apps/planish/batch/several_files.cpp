@@ -135,14 +135,19 @@ class SeveralRun {
 }  // namespace
 
 Flag csv_flag() {
-  return {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file",
-          0,       false,  {.extensions = {"csv"}}};
+  return {"--csv",
+          "FILE",
+          "write the figures of all inputs as comma-separated values, one line for each file",
+          0,
+          false,
+          {.extensions = {"csv"}}};
 }
 
 Flag output_format_flag(std::vector<std::string> names, const std::string& standard) {
   return {"--output-format",
           "NAME",
-          "of what is written of several inputs: " + list_of(names) + " (default " + standard + ")",
+          "format of the files that several inputs give: " + list_of(names) + " (default " +
+              standard + ")",
           0,
           false,
           {.choices = std::move(names)}};

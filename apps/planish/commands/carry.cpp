@@ -140,42 +140,43 @@ CommandResult run_carry(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command carry_command() {
-  return {"carry",
-          "lines from a pattern to its surface, and back",
-          "LINES --from MESH --to MESH -o OUT",
-          "Takes lines and points that lie on one mesh to the same places of another one with the "
-          "same triangles, as flat.obj and processed.obj that flatten writes. LINES is an .obj "
-          "with lines (l) and points (p) in the coordinates of the mesh, or a copy of pattern.svg "
-          "with lines on a layer of your own. OUT is an .obj, or where --to is flat an .svg at "
-          "true size. What lies off the mesh is left out, and its length is printed.",
-          {"LINES"},
-          {{"Output",
-            {{"--from",
-              "MESH",
-              "the mesh that the lines are drawn on",
-              0,
-              true,
-              {.extensions = names_of(k_mesh_formats)}},
-             {"--to",
-              "MESH",
-              "the mesh that they go to",
-              0,
-              true,
-              {.extensions = names_of(k_mesh_formats)}},
-             {"--output",
-              "OUT",
-              "the lines there: .obj, or .svg where --to is flat",
-              'o',
-              true,
-              {.extensions = {"obj", "svg"}}},
-             unit_flag()}},
-           model_flags()},
-          {"planish carry drawn.svg --from flat.obj --to processed.obj -o logo.obj",
-           "planish carry logo.obj --from processed.obj --to flat.obj -o drawn.svg"},
-          run_carry,
-          false,
-          false,
-          {{.extensions = {"obj", "svg"}}}};
+  return {
+      "carry",
+      "move lines from a pattern to its surface, or back",
+      "LINES --from MESH --to MESH -o OUT",
+      "Moves lines and points from one mesh to the same places of another mesh with the same "
+      "triangles, such as flat.obj and processed.obj, which flatten writes. LINES is an .obj with "
+      "lines (l) and points (p) in the coordinates of the first mesh, or a copy of pattern.svg "
+      "with lines on a new layer. OUT is an .obj, or an .svg at true size if the second mesh is "
+      "flat. Parts of lines outside the mesh are left out; their length is printed.",
+      {"LINES"},
+      {{"Output",
+        {{"--from",
+          "MESH",
+          "the mesh on which the lines are drawn",
+          0,
+          true,
+          {.extensions = names_of(k_mesh_formats)}},
+         {"--to",
+          "MESH",
+          "the mesh to which they go",
+          0,
+          true,
+          {.extensions = names_of(k_mesh_formats)}},
+         {"--output",
+          "OUT",
+          "the lines on the second mesh: .obj, or .svg if that mesh is flat",
+          'o',
+          true,
+          {.extensions = {"obj", "svg"}}},
+         unit_flag()}},
+       model_flags()},
+      {"planish carry drawn.svg --from flat.obj --to processed.obj -o logo.obj",
+       "planish carry logo.obj --from processed.obj --to flat.obj -o drawn.svg"},
+      run_carry,
+      false,
+      false,
+      {{.extensions = {"obj", "svg"}}}};
 }
 
 }  // namespace planish::cli

@@ -237,14 +237,13 @@ CommandResult run_collect(const Arguments& arguments, Session& session) {
 
 Command collect_command() {
   return {"collect",
-          "join the results of flatten --inputs to one table and one page",
+          "join the results of flatten --inputs into one table and one page",
           "RESULTS ... [-o FOLDER]",
           "Takes folders that flatten --inputs wrote into, or files with the lines of JSON that it "
-          "printed, and writes patches.csv, which is the table that one run over all inputs makes, "
-          "and patches.html. Ends with exit code 1 where an input of the list has no result.",
+          "printed. Writes patches.csv, the same table that one run over all inputs writes, and "
+          "patches.html. Ends with exit code 1 if an input of the list has no result.",
           {"RESULTS"},
-          {{"Output",
-            {{"--output", "FOLDER", "where to write (default: into the first folder)", 'o'}}}},
+          {{"Output", {{"--output", "FOLDER", "where to write (default: the first folder)", 'o'}}}},
           {"planish collect out", "planish collect shard-*.jsonl -o joined"},
           run_collect,
           false,

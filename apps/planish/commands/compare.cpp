@@ -156,39 +156,39 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command compare_command() {
-  return {
-      "compare",
-      "try several methods on a patch, side by side",
-      "INPUT ... [-o FOLDER]",
-      "Evolves a patch by one method after the other, each from the input patch, lays "
-      "every result flat, and prints what each did to defects, strain, form and time. With -o "
-      "also writes a page with charts and pictures (compare.html), every sweep "
-      "(compare.csv), all figures (compare.json) and the evolved meshes. What is not a disk "
-      "is compared without patterns. Of several inputs, or of all mesh files of a folder, prints "
-      "a line for each file and method, and writes into a folder for each below FOLDER. One "
-      "that fails does not end the others, but the exit code is 1 at the end.",
-      {"INPUT"},
-      {{"Output",
-        {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
-         unit_flag(),
-         scale_flag(),
-         open_flag(),
-         {"--csv",
-          "FILE",
-          "the figures of all inputs as comma-separated values, a line for each file and method",
-          0,
+  return {"compare",
+          "run several methods on a patch, side by side",
+          "INPUT ... [-o FOLDER]",
+          "Runs one method after the other on the same input patch, lays each result flat, and "
+          "prints defects, strain, change of form and time. With -o also writes a page with charts "
+          "and pictures (compare.html), the figures of every sweep (compare.csv), all figures "
+          "(compare.json) and the evolved meshes. A mesh that is no disk is compared without "
+          "patterns. For several inputs, or all mesh files of a folder, prints one line for each "
+          "file and method, and writes each input into a folder of its own below FOLDER. If one "
+          "fails the others go on, and the exit code is 1.",
+          {"INPUT"},
+          {{"Output",
+            {{"--output", "FOLDER", "where to write; without it no file is written", 'o'},
+             unit_flag(),
+             scale_flag(),
+             open_flag(),
+             {"--csv",
+              "FILE",
+              "write the figures of all inputs as comma-separated values, one line for each file "
+              "and method",
+              0,
+              false,
+              {.extensions = {"csv"}}}}},
+           model_flags(),
+           compare_flags(),
+           constraint_flags()},
+          {"planish compare panel.obj",
+           "planish compare panel.obj --methods controllable,classical -o compared",
+           "planish compare patches --csv figures.csv"},
+          run_compare,
           false,
-          {.extensions = {"csv"}}}}},
-       model_flags(),
-       compare_flags(),
-       constraint_flags()},
-      {"planish compare panel.obj",
-       "planish compare panel.obj --methods controllable,classical -o compared",
-       "planish compare patches --csv figures.csv"},
-      run_compare,
-      false,
-      true,
-      {{.extensions = names_of(k_mesh_formats)}}};
+          true,
+          {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

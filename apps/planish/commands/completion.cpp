@@ -25,12 +25,11 @@ CommandResult run_completion(const Arguments& arguments, Session&) {
 
 Command completion_command() {
   return {"completion",
-          "a script with which a shell completes verbs, flags and files",
+          "script that lets a shell complete verbs, flags and file names",
           "SHELL",
           "Prints a script for " + list_of(shell_names()) +
-              ". Loaded by the shell, it completes verbs, flags, the names that flags choose from, "
-              "and files of the kinds that a flag takes. Debian packages of planish bring the "
-              "scripts with them.",
+              ". Once the shell has loaded it, the Tab key completes verbs, flags, their values, "
+              "and files of the right kinds. The Debian package of planish installs these scripts.",
           {"SHELL"},
           {},
           {"source <(planish completion bash)", "planish completion zsh > ~/.zfunc/_planish",

@@ -33,9 +33,9 @@ Command convert_command() {
   return {"convert",
           "write a mesh in another format",
           "INPUT OUTPUT",
-          "Reads a triangle mesh and writes it in the format that the extension of OUTPUT names: "
-          ".obj, .ply, .stl or .off. Vertices and triangles keep their order, positions every "
-          "digit (STL: single precision).",
+          "Reads a triangle mesh and writes it in the format of OUTPUT's extension: .obj, .ply, "
+          ".stl or .off. Vertices and triangles keep their order, and positions keep every digit "
+          "(STL: single precision).",
           {"INPUT", "OUTPUT"},
           {{"Output", {unit_flag()}}, model_flags()},
           {"planish convert panel.stl panel.obj"},

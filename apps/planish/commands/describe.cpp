@@ -161,19 +161,18 @@ CommandResult run_describe(const Arguments& arguments, Session&) {
 }  // namespace
 
 Command describe_command() {
-  return {
-      "describe",
-      "what all flags take, for programs that build on this one",
-      "[VERB]",
-      "Prints of each verb, or of the one named, what its flags take: type, range, choices and "
-      "default. With --json everything that --help-all says too, to build forms and bindings from.",
-      {"VERB"},
-      {},
-      {"planish describe --json", "planish describe flatten"},
-      run_describe,
-      true,
-      false,
-      {{.type = ValueType::name}}};
+  return {"describe",
+          "list the values that all flags accept, for programs that build on this one",
+          "[VERB]",
+          "Prints what the flags of each verb, or of one verb, accept: type, range, choices and "
+          "default. With --json it prints all that --help-all prints too, for forms and bindings.",
+          {"VERB"},
+          {},
+          {"planish describe --json", "planish describe flatten"},
+          run_describe,
+          true,
+          false,
+          {{.type = ValueType::name}}};
 }
 
 }  // namespace planish::cli

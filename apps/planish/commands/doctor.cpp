@@ -162,11 +162,11 @@ CommandResult run_doctor(const Arguments&, Session& session) {
 
 Command doctor_command() {
   return {"doctor",
-          "what a bug report has to say of program and machine",
+          "print what a bug report needs about program and machine",
           "",
-          "Prints version, build, processor, threads, memory and folders, and what is missing, in "
-          "some ten lines to paste into a bug report. Nothing of it is sent anywhere; a file is "
-          "written into the temporary and the current folder, and removed at once.",
+          "Prints version, build, processor, threads, memory, folders and what is missing, in some "
+          "ten lines for a bug report. Sends nothing anywhere. Writes an empty file into the "
+          "temporary folder and the current folder, and removes it at once.",
           {},
           {},
           {"planish doctor"},

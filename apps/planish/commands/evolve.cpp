@@ -156,7 +156,8 @@ Command evolve_command() {
       {"Output",
        {{"--output",
          "OUTPUT",
-         "the evolved mesh: .obj, .ply, .stl or .off; of several inputs the folder for theirs",
+         "the evolved mesh: .obj, .ply, .stl or .off; with several inputs the folder for the "
+         "meshes",
          'o',
          true,
          {.extensions = names_of(k_mesh_formats)}},
@@ -166,13 +167,13 @@ Command evolve_command() {
         smooth_first_flag(),
         {"--history",
          "FILE",
-         "the figures of every sweep, as comma-separated values",
+         "write the figures of every sweep to FILE, as comma-separated values",
          0,
          false,
          {.extensions = {"csv"}}},
-        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
+        {"--require-target", "", "end with exit code 3 if e_max ends above --target-e-max"},
         csv_flag(),
-        output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
+        output_format_flag(names_of(k_mesh_formats), "that of the input, obj for .stl")}}};
   for (Flag& flag : cut_flags())
     groups.front().flags.push_back(std::move(flag));
   groups.push_back(model_flags());
@@ -182,27 +183,26 @@ Command evolve_command() {
   mark_first(groups,
              {"--output", "--unit", "--cut", "--remesh", "--history", "--method", "--sweeps",
               "--target-e-max", "--max-deviation", "--max-strain", "--prefer", "--fix"});
-  return {
-      "evolve",
-      "change a patch as little as needed towards flattenable",
-      "INPUT ... -o OUTPUT",
-      "Moves the inner vertices of a patch by one method. The border, the triangles and the "
-      "order of the vertices stay as they are, but for --cut and --remesh. OUTPUT may be INPUT. "
-      "Of several inputs, or of all mesh files of a folder, prints a line each and writes the "
-      "meshes into the folder OUTPUT; with --csv they may be left out. One that fails does not end "
-      "the others, but the exit code is 1 at the end.",
-      {"INPUT"},
-      std::move(groups),
-      {"planish evolve panel.obj -o evolved.obj",
-       "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
-       "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
-       "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
-       "planish evolve panel.obj -o evolved.obj --fix seams.obj",
-       "planish evolve patches -o evolved --method auto --csv figures.csv"},
-      run_evolve,
-      false,
-      true,
-      {{.extensions = names_of(k_mesh_formats)}}};
+  return {"evolve",
+          "change a patch as little as needed to make it more flattenable",
+          "INPUT ... -o OUTPUT",
+          "Moves the inner vertices of a patch by one method. The border, the triangles and the "
+          "order of the vertices stay as they are, except with --cut and --remesh. OUTPUT may be "
+          "INPUT. For several inputs, or all mesh files of a folder, prints one line each and "
+          "writes the meshes into the folder OUTPUT, which is not needed with --csv. If one fails "
+          "the others go on, and the exit code is 1.",
+          {"INPUT"},
+          std::move(groups),
+          {"planish evolve panel.obj -o evolved.obj",
+           "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
+           "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
+           "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
+           "planish evolve panel.obj -o evolved.obj --fix seams.obj",
+           "planish evolve patches -o evolved --method auto --csv figures.csv"},
+          run_evolve,
+          false,
+          true,
+          {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

@@ -363,25 +363,26 @@ Command flatten_command() {
         formats_flag(),
         {"--colors",
          "NAME",
-         "of the report's pictures: diverging or paper (default diverging)",
+         "colours of the report's pictures: diverging or paper (default diverging)",
          0,
          false,
          {.choices = color_names(), .standard = "diverging"}},
         {"--textured", "",
-         "also write the processed patch as textured.obj, with the pattern in millimetres for "
+         "also write the processed patch as textured.obj, with the pattern in millimetres as "
          "texture coordinates"},
         {"--history",
          "FILE",
-         "the figures of every sweep, as comma-separated values",
+         "write the figures of every sweep to FILE, as comma-separated values",
          0,
          false,
          {.extensions = {"csv"}}},
         fields_flag(),
         {"--no-report", "",
-         "leave out the page of the report, and the table of what less stretch costs"},
+         "do not write the page of the report, and do not compute the table of ways to less "
+         "stretch"},
         open_flag(),
-        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
-  for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
+        {"--require-target", "", "end with exit code 3 if e_max ends above --target-e-max"}}}};
+  for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to join"))
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
@@ -403,11 +404,12 @@ Command flatten_command() {
       "flatten",
       "the whole job: from a patch to its pattern at true size",
       "INPUT... [-o FOLDER]",
-      "Lays a patch flat as it is, with its stretch spread, and says what sheet takes that. Where "
-      "a limit or a --pick asks for less, changes the form as little as needed. Writes into "
-      "FOLDER: the pattern at true size (pattern.svg, .dxf and .pdf), that of the design where "
-      "the form may change (as-designed.*), the processed patch and the flat pattern as meshes, "
-      "and a report with pictures (report.html, report.json). All files are written or none.",
+      "Lays a patch flat as it is, with its stretch spread out, and says how much the sheet must "
+      "stretch. Changes the form only if a limit or --pick asks for less stretch, and then as "
+      "little as needed. Writes into FOLDER: the pattern at true size (pattern.svg, .dxf and "
+      ".pdf), the pattern of the design if the form may change (as-designed.*), the processed "
+      "patch and the flat pattern as meshes, and a report with pictures (report.html, "
+      "report.json). Either all files are written or none.",
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",

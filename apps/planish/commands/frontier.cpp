@@ -34,28 +34,29 @@ FlagGroup frontier_flags() {
   methods.erase(std::remove(methods.begin(), methods.end(), Auto::name), methods.end());
   std::vector<std::string> choices = methods;
   choices.emplace_back(k_all_methods);
-  return {
-      "What to run",
-      {{"--points",
-        "N",
-        "points of the curve, 8 to 100, evenly spaced on a logarithmic scale (default: stops at 2, "
-        "1, 0.5 and 0.1 % rms, and flat)",
-        0,
-        false,
-        {.range = k_points}},
-       {"--max-strain",
-        "X",
-        "a limit of the largest strain to mark, for which the curve has a point too (0.02 or 2%)",
-        0,
-        false,
-        {.type = ValueType::share, .range = {0.0, 1.0}}},
-       material_flag(),
-       {"--methods",
-        "NAMES",
-        "which to compare with, with commas between: " + list_of(methods) + "; all (default: none)",
-        0,
-        false,
-        {.choices = choices}}}};
+  return {"What to run",
+          {{"--points",
+            "N",
+            "number of points of the curve, 8 to 100, evenly spaced on a logarithmic scale "
+            "(default: stops at 2, 1, 0.5 and 0.1 % rms, and flat)",
+            0,
+            false,
+            {.range = k_points}},
+           {"--max-strain",
+            "X",
+            "a limit of the largest strain: the chart marks it and the curve gets a point for it "
+            "(0.02 or 2%)",
+            0,
+            false,
+            {.type = ValueType::share, .range = {0.0, 1.0}}},
+           material_flag(),
+           {"--methods",
+            "NAMES",
+            "methods to compare with, separated by commas: " + list_of(methods) +
+                "; all (default: none)",
+            0,
+            false,
+            {.choices = choices}}}};
 }
 
 /// The limit that --max-strain or --material names.
@@ -150,13 +151,12 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
 
 Command frontier_command() {
   return {"frontier",
-          "what less strain costs: strain against deviation",
+          "the price of less strain: strain against change of form",
           "INPUT [-o FILE]",
-          "Evolves a patch by method auto with smaller and smaller limits of rms strain, as smooth "
-          "as can be, and to flattenable, each time from the patch as designed. Unfolds every "
-          "result, and prints how strained the pattern is, how far the vertices moved and how much "
-          "the surface bends. The other methods stand beside it, each with the sweeps that it "
-          "usually takes.",
+          "Runs method auto with smaller and smaller limits of rms strain, and to flattenable, "
+          "each time from the design. Unfolds each result, and prints the strain of its pattern, "
+          "how far the vertices moved and how much the surface bends. Other methods can be shown "
+          "beside it, each with its usual number of sweeps.",
           {"INPUT"},
           {{"Output",
             {{"--output",

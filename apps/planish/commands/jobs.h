@@ -78,7 +78,7 @@ struct UnfoldRequest {
 UnfoldRequest unfold_request_from(const Arguments& arguments, bool writes_sheet);
 
 /// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
-/// @throws Error what stands in the way, where a limit was asked for; Cancelled
+/// @throws Error the problem that prevents it, where a limit was asked for; Cancelled
 std::optional<StrainAsDesigned> strain_as_asked(const Patch& patch, const StrainLimits& limits,
                                                 Session& session);
 

@@ -34,10 +34,10 @@ CommandResult run_man(const Arguments& arguments, Session&) {
 
 Command man_command() {
   return {"man",
-          "the manual page of the program or of a verb",
+          "manual page of the program or of a verb",
           "[VERB]",
-          "Prints the page for the program man, with every flag of the verb. Debian packages of "
-          "planish bring all pages with them: man planish-flatten.",
+          "Prints the manual page for the program man, with every flag of the verb. The Debian "
+          "package of planish installs all these pages: man planish-flatten.",
           {"VERB"},
           {},
           {"planish man flatten | man -l -", "planish man > planish.1"},

@@ -23,12 +23,12 @@ CommandResult run_materials(const Arguments& arguments, Session&) {
 
 Command materials_command() {
   return {"materials",
-          "what materials take, and where these figures come from",
+          "the strain that materials take, and the sources of these figures",
           "[NAME|FILE]",
           "Lists how far each material that --material knows can be stretched and compressed, on "
-          "99 % of the area and at most, as shares of the length on the form. Of one, by its name, "
-          "or of a .json file of your own it tells where each figure comes from. With --json each "
-          "material stands there as such a file has it.",
+          "99 % of the area and at most, as fractions of the length on the form. For one material, "
+          "by its name or a .json file of your own, also prints the source of each figure. With "
+          "--json prints each material in the form of such a file.",
           {"NAME|FILE"},
           {},
           {"planish materials", "planish materials leather-lasted", "planish materials my.json",

@@ -175,22 +175,21 @@ std::optional<StrainAsDesigned> strain_as_asked(const Patch& patch, const Strain
 Command measure_command() {
   return {
       "measure",
-      "report how far a patch is from flattenable",
+      "print how far a patch is from flattenable",
       "INPUT ...",
-      "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
-      ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
-      "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
-      "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
-      "its ring; else nothing is written. Also lays the patch flat as it is, tells the strain of "
-      "that pattern, and how much a sheet must take for the patch to be cut from it as it is. "
-      "Ends with exit code 3 if no pattern keeps a limit that was asked for. Of several inputs, or "
-      "of all mesh files of a folder, prints a line each; one that fails does not end the others, "
-      "but the exit code is 1 at the end.",
+      "Prints the size, the topology and the angle defects of a triangle mesh (.obj, .ply, .stl or "
+      ".off), and every problem that prevents evolving it or laying it flat. Also lays the patch "
+      "flat as it is, and prints the strain of that pattern and how much a sheet must take to be "
+      "formed to the patch. Ends with exit code 3 if no pattern keeps a limit that was asked for. "
+      "With --map or --picture also says for each vertex whether it is flat, on a dome or cup, or "
+      "on a saddle, and whether its Laplacian direction lowers the energy of its ring; without "
+      "these flags no file is written. For several inputs, or all mesh files of a folder, prints "
+      "one line each; if one fails the others go on, and the exit code is 1.",
       {"INPUT"},
       {{"Output",
         {{"--map",
           "FILE",
-          "classes and directions of all vertices, as comma-separated values",
+          "write classes and directions of all vertices to FILE, as comma-separated values",
           0,
           false,
           {.extensions = {"csv"}}},

@@ -84,23 +84,23 @@ Command panels_command() {
   for (Flag& flag : panel_flags())
     search.flags.push_back(std::move(flag));
   Flag symmetric = {"--symmetric", "PLANE",
-                    "make left equal right: auto where the product is symmetric, \"x=0\" names "
-                    "the plane, no (default auto)"};
+                    "make left equal right: auto does so if the product is symmetric, \"x=0\" "
+                    "names the plane, no (default auto)"};
   symmetric.accepts = {.type = ValueType::text, .standard = "auto"};
   search.flags.push_back(std::move(symmetric));
   search.flags.push_back(fixed_seams_flag());
   search.flags.push_back({"--match-seams", "",
-                          "keep the limit with both sides of each seam equally long, as the "
-                          "pieces of flatten --cut auto do"});
+                          "keep the limit even with both sides of each seam equally long, as "
+                          "flatten --cut auto makes them"});
   return {
       "panels",
-      "where to cut a whole product into panels",
+      "choose where to cut a whole product into panels",
       "PRODUCT [-o LINES]",
-      "Divides a product, closed or open, into few pieces with short seams, each with a pattern "
-      "that keeps a limit of strain: 2 % rms if none is given. LINES is an .obj with the seams "
-      "as lines, which any 3D program edits and --cut of other verbs takes. Prints each better "
-      "answer when it finds one; Ctrl-C ends the search and keeps the best answer so far. Without "
-      "-o or --apply nothing is written. Exit code 3: no division keeps the limit.",
+      "Divides a product, closed or open, into few pieces with short seams. The pattern of each "
+      "piece keeps a limit of strain: 2 % rms if you give none. LINES is an .obj with the seams as "
+      "lines, which any 3D program can edit and which --cut of other verbs takes. Prints each "
+      "better answer as soon as it finds one; Ctrl-C ends the search and keeps the best answer so "
+      "far. Without -o or --apply no file is written. Exit code 3: no division keeps the limit.",
       {"PRODUCT"},
       {{"Output",
         {{"--output",

@@ -67,7 +67,7 @@ Command sample_command() {
               0,
               false,
               {.range = k_vertices, .standard = "5000"}},
-             {"--list", "", "list the names and what they are, and end"}}}},
+             {"--list", "", "list all names with a short description, and end"}}}},
           {"planish sample panel -o panel.obj", "planish sample dome --vertices 100000 -o dome.ply",
            "planish sample --list"},
           run_sample,

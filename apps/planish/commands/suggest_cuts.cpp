@@ -93,19 +93,19 @@ SuggestOptions suggest_options_from(const Arguments& arguments) {
 Command suggest_cuts_command() {
   return {
       "suggest-cuts",
-      "where to cut a patch open so that it lies flat",
+      "find cuts that let a patch lie flat",
       "INPUT [-o CUTS]",
-      "Looks for short cuts along edges that let a mesh lie flat with a pattern that keeps a "
-      "limit of strain: first seams that make one piece with one border of it, "
-      "then darts, one after the other, the best of a few that are tried. CUTS is what --cut "
-      "of other verbs takes. Without -o, --picture or --apply nothing is written. Ends with "
-      "exit code 0 also where the limit is not met.",
+      "Looks for short cuts along edges with which a mesh lies flat and its pattern keeps a limit "
+      "of strain: first seams that make one piece with one border, then darts, one after the "
+      "other, each the best of a few. CUTS is a file for --cut of other verbs. Without -o, "
+      "--picture or --apply no file is written. Ends with exit code 0 even if the limit is not "
+      "met.",
       {"INPUT"},
       {{"Output",
-        {{"--output", "CUTS", "the cuts, one a line by its vertices", 'o'},
+        {{"--output", "CUTS", "the cuts: one a line, by its vertices", 'o'},
          {"--picture",
           "FILE",
-          "the pattern without the darts, the darts drawn on it: .svg",
+          "the pattern without the darts, with the darts drawn on it: .svg",
           0,
           false,
           {.extensions = {"svg"}}},
@@ -121,8 +121,8 @@ Command suggest_cuts_command() {
        {"What to look for",
         {{"--max-strain",
           "X",
-          "the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % "
-          "of the area",
+          "limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the "
+          "area",
           0,
           false,
           {.type = ValueType::share, .range = {0.0, 1.0}, .standard = "2%"}},

@@ -193,7 +193,7 @@ Command unfold_command() {
       {"--output",
        "OUTPUT",
        "the pattern at true size (.svg, .dxf, .pdf or .plt), or a flat mesh with z = 0 (.obj, "
-       ".ply, .stl or .off); of several inputs the folder for theirs",
+       ".ply, .stl or .off); with several inputs the folder for the patterns",
        'o',
        true,
        {.extensions = output_names()}},
@@ -205,7 +205,7 @@ Command unfold_command() {
       output_format_flag(output_names(), "svg")};
   for (Flag& flag : cut_flags())
     flags.push_back(std::move(flag));
-  for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
+  for (Flag& flag : pattern_flags("divide the .pdf into pages to join"))
     flags.push_back(std::move(flag));
   std::vector<FlagGroup> groups = {{"Output", std::move(flags)},
                                    model_flags(),
@@ -218,14 +218,12 @@ Command unfold_command() {
       "unfold",
       "lay a patch flat as it is",
       "INPUT ... -o OUTPUT",
-      "Lays a patch flat with its stretch spread and no flipped triangle. With a limit of "
+      "Lays a patch flat, with its stretch spread out and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
-      "one and ends with exit code 3. The patch must be one piece without handles, and no tube: "
-      "--cut open opens any other; holes stay. Of several inputs, or of all mesh files of a "
-      "folder, "
-      "prints a "
-      "line each and writes the patterns into the folder OUTPUT; with --csv they may be left out. "
-      "One that fails does not end the others, but the exit code is 1 at the end.",
+      "one and ends with exit code 3. The patch must be one piece without handles, and no tube; "
+      "--cut open opens any other surface. Holes stay holes. For several inputs, or all mesh files "
+      "of a folder, prints one line each and writes the patterns into the folder OUTPUT, which is "
+      "not needed with --csv. If one fails the others go on, and the exit code is 1.",
       {"INPUT"},
       std::move(groups),
       {"planish unfold panel.obj -o pattern.svg",

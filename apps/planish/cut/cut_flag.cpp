@@ -29,29 +29,28 @@
 namespace planish::cli {
 
 std::vector<Flag> cut_flags() {
-  Flag cut = {
-      "--cut", "LINES",
-      "cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of "
-      "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, groups, "
-      "open or auto (panels); may be repeated"};
+  Flag cut = {"--cut", "LINES",
+              "cut the surface along lines first: a drawing (.obj, or a pattern .svg), a list of "
+              "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, "
+              "groups, open (a short cut that makes one disk) or auto (panels); may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",
-                "triangles: a line cuts through them; edges: it follows edges of the mesh (default "
+                "triangles: lines cut through them; edges: lines follow edges of the mesh (default "
                 "triangles)"};
   along.accepts = {.choices = {"triangles", "edges"}, .standard = "triangles"};
   Flag smooth = {
       "--smooth-lines", "ANSWER",
-      "take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)"};
+      "make drawn lines smooth; moves them by up to half an edge: yes or no (default yes)"};
   smooth.accepts = {.choices = {"yes", "no"}, .standard = "yes"};
   Flag avoid = {"--avoid", "FILE",
-                "places that the cuts of --cut open go round where they can: vertices one a line, "
-                "an .obj with lines or points over the mesh, or an .obj or .ply of the model with "
-                "these places painted"};
+                "places that --cut open avoids if it can: one vertex a line, an .obj with lines or "
+                "points on the mesh, or an .obj or .ply of the model with these places painted"};
   avoid.accepts.type = ValueType::file;
-  const Flag keep = {"--keep-small", "",
-                     "keep pieces that cuts make with less than 1 % of the area, or 5 % where they "
-                     "are narrower than two edges; else each is joined to a neighbour"};
+  const Flag keep = {
+      "--keep-small", "",
+      "keep small pieces that cuts make; without this flag, a piece with less than 1 % of the "
+      "area, or with less than 5 % and narrower than two edges, is joined to a neighbour"};
   std::vector<Flag> flags = {cut, along, smooth, avoid, keep};
   for (Flag& flag : symmetric_flags())
     flags.push_back(std::move(flag));
@@ -190,14 +189,14 @@ class Cutter {
     const auto has = [](const std::vector<std::size_t>& lines, std::size_t line) {
       return std::find(lines.begin(), lines.end(), line) != lines.end();
     };
-    std::vector<LineEnd> told = free_ends_;
-    std::erase_if(told, [&](const LineEnd& end) {
+    std::vector<LineEnd> shown = free_ends_;
+    std::erase_if(shown, [&](const LineEnd& end) {
       const bool is_drawn = asked_.places[end.line].line.has_value();
       return !is_drawn || !has(inside, end.line) || has(loose, end.line);
     });
-    if (told.empty()) return;
-    const LineEnd& end = told.front();
-    const std::size_t more = told.size() - 1;
+    if (shown.empty()) return;
+    const LineEnd& end = shown.front();
+    const std::size_t more = shown.size() - 1;
     session_.note((end.is_last ? "the end of " : "the beginning of ") + name(end.line) +
                   " stays free, " + text(end.distance) + " from " + name(end.to) +
                   (more > 0 ? "; so does that of " + counted(more, "other line") : ""));

@@ -38,15 +38,15 @@ std::vector<Flag> panel_flags() {
   return {
       {"--prefer-cuts",
        "WHAT",
-       "what a division into panels saves first: few (pieces), short (seams), simple (no slits "
-       "that end inside a piece); default few",
+       "what a division into panels must have before all else: few pieces (few), short seams "
+       "(short), or no slits that end inside a piece (simple); default few",
        0,
        false,
        {.choices = names_of(k_preferences), .standard = std::string(to_string(k_preferences[0]))}},
       {"--effort",
        "N",
-       "how many divisions are tried (1 to 1000, default " + std::to_string(k_usual_moves) +
-           "); more are never worse",
+       "number of divisions to try (1 to 1000, default " + std::to_string(k_usual_moves) +
+           "); a larger number never gives a worse result",
        0,
        false,
        {.range = k_moves, .standard = std::to_string(k_usual_moves)}}};
@@ -65,8 +65,8 @@ PanelOptions panel_options_from(const Arguments& arguments) {
 
 Flag fixed_seams_flag() {
   Flag flag = {"--seams", "LINES",
-               "lines that must be seams, in the words of --cut: a drawing (.obj), \"plane x=0\", "
-               "\"creases 30deg\", ...; others join them; may be repeated"};
+               "lines that must be seams, written as for --cut: a drawing (.obj), \"plane x=0\", "
+               "\"creases 30deg\", ...; other seams join them; may be repeated"};
   flag.accepts.repeats = true;
   flag.accepts.type = ValueType::file;
   return flag;

@@ -20,15 +20,14 @@
 namespace planish::cli {
 
 std::vector<Flag> symmetric_flags() {
-  Flag symmetric = {
-      "--symmetric", "PLANE",
-      "make left equal right, lines and patterns: auto finds the plane, \"x=0\" names "
-      "it, no (default no)"};
+  Flag symmetric = {"--symmetric", "PLANE",
+                    "make left equal right, in lines and patterns: auto finds the plane, \"x=0\" "
+                    "names it, no (default no)"};
   symmetric.accepts = {.type = ValueType::text, .standard = "no"};
   return {symmetric,
           {"--mirror-surface", "",
-           "with --symmetric: replace one half of the surface by the mirror image of the half that "
-           "has the lines"}};
+           "with --symmetric: replace one half of the surface by the mirror image of the other; "
+           "the half that has the lines stays"}};
 }
 
 bool asks_for_symmetry(const Arguments& arguments) {

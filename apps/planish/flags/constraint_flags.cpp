@@ -53,14 +53,16 @@ TriMesh obstacle_from(const Arguments& arguments, Session& session) {
 }  // namespace
 
 FlagGroup constraint_flags() {
-  return {"What to respect besides the border",
+  return {"What must stay besides the border",
           {{"--fix", "FILE",
             "vertices that stay where they are: a list of numbers from 0, or an .obj whose lines "
-            "and points are snapped to the mesh"},
-           {"--weights", "FILE", "weights of moves: on each line a vertex, from 0, and its weight"},
+            "and points are moved to the nearest vertices"},
+           {"--weights", "FILE",
+            "weights of vertices against moving, one a line: number of the vertex, from 0, and its "
+            "weight"},
            {"--obstacle",
             "FILE",
-            "a closed mesh that must not be entered",
+            "a closed mesh that the surface must not enter",
             0,
             false,
             {.extensions = names_of(k_mesh_formats)}}}};

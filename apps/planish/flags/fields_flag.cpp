@@ -34,9 +34,9 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 Flag fields_flag() {
   return {"--fields",
           "FILE",
-          "figures of every vertex and triangle (defect, mean curvature, strain, and with flatten "
-          "the move from the design): .ply, .vtp, .vtu, or .csv for NAME-vertices.csv and "
-          "NAME-triangles.csv",
+          "write figures of every vertex and triangle (defect, mean curvature, strain; with "
+          "flatten also the move from the design): .ply, .vtp, .vtu, or .csv for NAME-vertices.csv "
+          "and NAME-triangles.csv",
           0,
           false,
           {.extensions = {"ply", "vtp", "vtu", "csv"}}};

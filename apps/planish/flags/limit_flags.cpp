@@ -31,15 +31,15 @@ double share_above_0(const std::string& flag, const Field& field, const Argument
 std::vector<Flag> limit_flags() {
   return {{"--max-strain",
            "X",
-           "how much an edge of the pattern may be longer or shorter than on the patch (0.02 or "
-           "2%); 2%@p99: on 99 % of the area",
+           "largest change of an edge's length from the patch to the pattern (0.02 or 2%); 2%@p99: "
+           "on 99 % of the area",
            0,
            false,
            {.type = ValueType::share, .range = k_strain}},
           material_flag(),
           {"--max-rms-strain",
            "X",
-           "the same for the root mean square of the strain (0.02 or 2%)",
+           "largest root mean square of the strain (0.02 or 2%)",
            0,
            false,
            {.type = ValueType::share, .range = k_strain}}};

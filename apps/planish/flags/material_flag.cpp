@@ -11,8 +11,8 @@ namespace planish::cli {
 Flag material_flag() {
   return {"--material",
           "NAME",
-          "instead of --max-strain: what this material takes, " + list_of(material_names()) +
-              " or a .json file of your own; planish materials lists the limits",
+          "use the limit of a material instead of --max-strain: " + list_of(material_names()) +
+              " or a .json file of your own; planish materials lists their limits",
           0,
           false,
           {.choices = material_names(), .extensions = {"json"}}};

@@ -49,7 +49,7 @@ std::vector<std::string> names_in(Enum value) {
   return names;
 }
 
-/// What the border may be told: words, or how far it may go.
+/// The values of --border: words, or a distance.
 std::vector<std::string> border_names(const BorderFreedom& border) {
   std::vector<std::string> names = names_in(border.rule);
   names.push_back("a length such as " + forms_of(Quantity::length));
@@ -155,7 +155,7 @@ std::vector<Flag> stopping_flags() {
   std::vector<Flag> flags = flags_of(Stopping{});
   for (Flag& flag : flags) {
     if (flag.name != "--sweeps") continue;
-    flag.doc = "largest number of sweeps (default: what each method usually takes)";
+    flag.doc = "largest number of sweeps (default: the usual number of the method)";
     flag.accepts.standard.clear();
   }
   return flags;
@@ -247,8 +247,7 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
   };
   for (const MethodFlags& method : methods) {
     FlagGroup own = {"With --method " + method.method + " (" + std::to_string(method.usual_sweeps) +
-                         (method.usual_sweeps == 1 ? " sweep" : " sweeps") +
-                         " unless told otherwise)",
+                         (method.usual_sweeps == 1 ? " sweep" : " sweeps") + " by default)",
                      {},
                      method.method};
     for (const Flag& flag : method.flags) {
@@ -278,18 +277,17 @@ Stopping stopping_from(const Arguments& arguments, const Method& method) {
 
 Flag remesh_flag() {
   return {"--remesh", "",
-          "work on fewer vertices, and write these; the border keeps all of its own"};
+          "work on a mesh with fewer vertices, and write that mesh; all border vertices stay"};
 }
 
 Flag smooth_first_flag() {
-  return {
-      "--smooth-first",
-      "LENGTH",
-      "first take waves shorter than this out of the design, as the noise of a scan (at most 20 "
-      "mean edges; such as 5mm)",
-      0,
-      false,
-      {.range = {.min = 0.0}}};
+  return {"--smooth-first",
+          "LENGTH",
+          "smooth the design first: takes out waves shorter than this, such as the noise of a scan "
+          "(at most 20 mean edge lengths; as 5mm)",
+          0,
+          false,
+          {.range = {.min = 0.0}}};
 }
 
 double smooth_first_from(const Arguments& arguments) {
@@ -303,13 +301,14 @@ double smooth_first_from(const Arguments& arguments) {
 }
 
 FlagGroup compare_flags() {
-  FlagGroup group = {"How to evolve",
-                     {{"--methods",
-                       "NAMES",
-                       "which, with commas between: " + list_of(method_names()) + " (default: all)",
-                       0,
-                       false,
-                       {.choices = method_names()}}}};
+  FlagGroup group = {
+      "How to evolve",
+      {{"--methods",
+        "NAMES",
+        "methods to run, separated by commas: " + list_of(method_names()) + " (default: all)",
+        0,
+        false,
+        {.choices = method_names()}}}};
   for (Flag& flag : stopping_flags())
     group.flags.push_back(std::move(flag));
   return group;

@@ -18,7 +18,7 @@ constexpr Range k_scales = {1e-9, 1e9};
 Flag scale_flag() {
   return {"--scale",
           "FACTOR",
-          "multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m "
+          "multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m "
           "--scale 0.5 (default 1)",
           0,
           false,

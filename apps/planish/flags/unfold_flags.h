@@ -7,23 +7,23 @@ namespace planish::cli {
 
 /// --match-seams, for verbs that lay flat.
 inline Flag match_seams_flag() {
-  return {
-      "--match-seams", "",
-      "keep the length of every border edge, or in a product of those along seams, so that what "
-      "is sewn together stays equally long"};
+  return {"--match-seams", "",
+          "keep the length of every border edge, or in a product of every edge along a seam, so "
+          "that sewn sides stay equally long"};
 }
 
 /// --least-stretch, for the same.
 inline Flag least_stretch_flag() {
   return {"--least-stretch", "",
-          "the pattern of least stretch; without it, up to 6 % more rms strain make the largest "
-          "strains as small as they get"};
+          "write the pattern of least rms strain; without this flag the rms strain may be up to 6 "
+          "% higher, to make the largest strains as small as possible"};
 }
 
 /// --no-match-seams, for the verb that makes products.
 inline Flag no_match_seams_flag() {
-  return {"--no-match-seams", "",
-          "let the two sides of a product's seams become unequal (default: equal to 0.1 mm)"};
+  return {
+      "--no-match-seams", "",
+      "allow the two sides of a product's seams to differ in length (default: equal to 0.1 mm)"};
 }
 
 /// Whether the seams of a product are to match.

@@ -74,8 +74,8 @@ std::optional<Unit> unit_of_word(std::string_view word) {
 Flag unit_flag() {
   return {"--unit",
           "UNIT",
-          "what one unit of the mesh is: " + list_of(names_of(k_units)) +
-              " (default: as its file says, else mm)",
+          "unit of the mesh's coordinates: " + list_of(names_of(k_units)) +
+              " (default: as the file says, else mm)",
           0,
           false,
           {.choices = names_of(k_units)}};

@@ -76,32 +76,32 @@ std::vector<OutputFile> layout_files(const std::vector<Drawing>& sheets, const N
 }  // namespace
 
 FlagGroup nest_flags() {
-  return {"How the pieces are laid on material",
+  return {"How the pieces are laid on the material",
           {{"--sheet",
             "[MATERIAL=]WIDTH[xLENGTH]",
-            "lay all pieces on a roll as wide as 1500mm, or on sheets like 1500mmx1000mm; of a "
-            "material, as cotton=1400mm, its pieces; several times, or with commas",
+            "lay all pieces on a roll, as 1500mm, or on sheets, as 1500mmx1000mm; cotton=1400mm is "
+            "for pieces of that material; may be repeated, or separated by commas",
             0,
             false,
             {.repeats = true}},
            {"--nest-gap",
             "LENGTH",
-            "left between pieces (default 5mm)",
+            "free distance between pieces (default 5mm)",
             0,
             false,
             {.range = {.min = 0.0}, .standard = "5mm"}},
            {"--nest-margin",
             "LENGTH",
-            "left free along the edges of the sheet (default 0)",
+            "free distance along the edges of the sheet (default 0)",
             0,
             false,
             {.range = {.min = 0.0}, .standard = "0"}},
            {"--folded-cloth", "",
-            "the roll is folded along its length: pieces are cut as pairs, halves with their fold "
-            "on that of the cloth"},
+            "the roll is folded along its length: pieces are cut in pairs, and halves with their "
+            "fold on the fold of the cloth"},
            {"--turn",
             "KIND",
-            "how pieces may be turned against their grain: " + list_of(names_of(k_turns)) +
+            "how far pieces may be turned from their grain: " + list_of(names_of(k_turns)) +
                 " (default half)",
             0,
             false,

@@ -64,7 +64,7 @@ struct NestOutcome {
 /// In one sentence.
 std::string words_of(const std::vector<SheetFit>& layouts);
 
-/// From any thread. Without a material where it cannot be told: laying all patches then tells why.
+/// From any thread. Without a material where it is not known: laying all patches then says why.
 SheetFit fit_alone(NestPatch patch, Unit unit, const SheetSizes& sheets);
 
 /// Lays patches on sheets, those of each material on sheets of their own.

@@ -70,18 +70,20 @@ Flag names_flag(const std::string& name, const std::string& doc) {
 
 FlagGroup model_flags() {
   return {
-      "What is read",
+      "What is read of the input",
       {{"--divide",
         "KIND",
-        "what makes a piece: objects (or groups, where the file has none), materials, or parts: "
-        "whatever hangs together (default objects)",
+        "what makes a piece: objects (or groups, if the file has no objects), materials, or parts, "
+        "which are not connected to each other (default objects)",
         0,
         false,
         {.choices = names_of(k_divisions), .standard = "objects"}},
        names_flag(
            "--only",
-           "take these objects, groups, materials or pieces, by their names with commas between"),
-       names_flag("--without", "leave out these objects, groups, materials or pieces"),
+           "take only these objects, groups, materials or pieces: names, separated by commas"),
+       names_flag(
+           "--without",
+           "leave out these objects, groups, materials or pieces: names, separated by commas"),
        {"--weld",
         "LENGTH",
         "join borders that lie within LENGTH of each other (1.5 or 1.5mm; default: a length that "
@@ -97,13 +99,13 @@ FlagGroup model_flags() {
         {.range = k_from_zero}},
        {"--side",
         "NAME",
-        "of a wall with a thickness take one side: outer or inner",
+        "of a wall with a thickness, take one side: outer or inner",
         0,
         false,
         {.choices = names_of(k_sides)}},
        {"--flip", "", "turn the surface over: its inner side becomes the outer one"},
        {"--strict", "",
-        "take the mesh as it is: repair and leave out only what other flags ask for"}}};
+        "take the mesh as it is; repair and leave out only what other flags ask for"}}};
 }
 
 ModelOptions model_options_from(const Arguments& arguments, std::span<const std::string> known) {
@@ -168,7 +170,7 @@ Model read_model_of_several(const FileOfSeveral& of, const Arguments& arguments,
   const double scale = scale_from(arguments);
   const ReadOptions reading = {.strict = arguments.has("--strict")};
   ReadResult file = read_in_run_unit(path, of.unit, reading, arguments, session);
-  file.notes.clear();  // they were told
+  file.notes.clear();  // they were shown
   file.mesh = scaled(std::move(file.mesh), scale, path);
   std::vector<std::string> known = names_in(file, of.name);
   known.insert(known.end(), of.known.begin(), of.known.end());

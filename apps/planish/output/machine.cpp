@@ -76,7 +76,7 @@ Flag machine_flag() {
   return {k_flag,
           "KIND",
           "what the files are for: " + list_of(machine_names()) +
-              "; stands for formats, layers and more, which flags of their own change",
+              "; sets formats, layers and more, which your other flags can change",
           0,
           false,
           {.choices = machine_names()}};

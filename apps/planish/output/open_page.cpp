@@ -5,7 +5,7 @@
 namespace planish::cli {
 
 Flag open_flag() {
-  return {"--open", "", "open the page in the browser when it is written"};
+  return {"--open", "", "open the page in the browser once it is written"};
 }
 
 void open_if_asked(const Arguments& arguments, const std::filesystem::path& page,

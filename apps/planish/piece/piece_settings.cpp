@@ -249,15 +249,15 @@ PieceRequest request_for(ProductPatch& patch, const OwnSettings& own, const Patt
 }  // namespace
 
 Flag piece_flag() {
-  return {
-      k_flag,
-      "NAME:KEY=VALUE",
-      "a setting of one piece instead of the flag: front:allowance=12mm; keys: " +
-          list_of(piece_keys()) +
-          ", allowance.N, hem.N or ends.N of edge N and its name edge.N; none: without that flag",
-      0,
-      false,
-      {.repeats = true}};
+  return {k_flag,
+          "NAME:KEY=VALUE",
+          "a setting of one piece, which replaces the flag there, as front:allowance=12mm; keys: " +
+              list_of(piece_keys()) +
+              ", allowance.N, hem.N or ends.N for edge N, and edge.N for its name; the value none "
+              "leaves the flag out",
+          0,
+          false,
+          {.repeats = true}};
 }
 
 std::vector<NamedSettings> piece_settings_from(const Arguments& arguments) {

@@ -28,20 +28,19 @@ void refuse_notches_of_mirrored(const std::vector<ProductPatch>& patches,
 }  // namespace
 
 std::vector<Flag> product_flags() {
-  return {
-      {"--product", "",
-       "take several files for the parts of one product: search for seams between them"},
-      rename_flag(),
-      piece_flag(),
-      {"--resume", "",
-       "of several patches, keep those whose results are there, whole and of the same job"},
-      {"--seam-tolerance",
-       "LENGTH",
-       "largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's "
-       "length)",
-       0,
-       false,
-       {.range = {.min = 0.0}}}};
+  return {{"--product", "",
+           "take several files as the parts of one product, and find the seams between them"},
+          rename_flag(),
+          piece_flag(),
+          {"--resume", "",
+           "with several patches: keep results that are there, complete and made by the same job"},
+          {"--seam-tolerance",
+           "LENGTH",
+           "largest distance between borders that are one seam, as 0.5mm (default: a tenth of an "
+           "edge's length)",
+           0,
+           false,
+           {.range = {.min = 0.0}}}};
 }
 
 void refuse_product_flags(const Arguments& arguments, bool is_of_several) {
@@ -81,7 +80,7 @@ std::vector<PatternOptions> annotations_of_patches(const std::vector<PieceReques
   std::vector<std::vector<Notch>> notches = notches_on_seams(arguments, meshes, names);
   const std::vector<Seam> seams =
       find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments));
-  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes);
+  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes, names);
   std::vector<PatternOptions> result;
   result.reserve(requests.size());
   for (const PieceRequest& request : requests)

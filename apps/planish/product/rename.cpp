@@ -34,7 +34,7 @@ std::map<std::string, std::string> asked_names(const Arguments& arguments) {
 
 Flag rename_flag() {
   return {
-      k_flag, "OLD=NEW", "other names for pieces, with commas between: panel-1=front,panel-2=back",
+      k_flag, "OLD=NEW", "other names for pieces, separated by commas: panel-1=front,panel-2=back",
       0,      false,     {.repeats = true}};
 }
 

@@ -88,34 +88,59 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
 
 namespace {
 
-/// The vertex of a side that is nearest to half of its length.
-Index middle_vertex(const SeamSide& side, std::span<const Vec3> positions, double length) {
+/// The vertex of a side that is nearest to a length along it.
+Index vertex_at(const SeamSide& side, std::span<const Vec3> positions, double length) {
   double way = 0.0;
   std::size_t k = 0;
   while (k + 1 < side.vertices.size()) {
     const double edge = norm(positions[side.vertices[k + 1]] - positions[side.vertices[k]]);
-    if (way + 0.5 * edge >= 0.5 * length) break;
+    if (way + 0.5 * edge >= length) break;
     way += edge;
     ++k;
   }
   return side.vertices[k];
 }
 
+/// What is written beside a side of a seam: in its middle, and near its ends where there is room.
+void add_numbers_of_side(const SeamSide& side, const SeamNumber& seam,
+                         std::span<const Vec3> positions, double millimetre,
+                         std::vector<SeamNumber>& numbers) {
+  constexpr double k_least = 15.0, k_least_with_ends = 80.0, k_inset = 10.0;  // millimetres
+  constexpr double k_inset_share = 0.04;                                      // of the length
+  constexpr std::size_t k_fewest = 6;  // vertices of a side with ends
+  const double length = length_of(side, positions);
+  if (length < k_least * millimetre) return;
+  const auto add = [&](char end, Index vertex) {
+    numbers.push_back({seam.number, vertex, seam.partner, end});
+  };
+  add(0, vertex_at(side, positions, 0.5 * length));
+  const bool is_closed = side.vertices.front() == side.vertices.back();
+  if (is_closed || length < k_least_with_ends * millimetre || side.vertices.size() < k_fewest)
+    return;
+  // The first and the last vertex are corners of the piece, where words would leave it.
+  const double inset = std::max(k_inset * millimetre, k_inset_share * length);
+  const SeamSide inner{side.patch, {side.vertices.begin() + 1, side.vertices.end() - 1}};
+  const double first = norm(positions[side.vertices[1]] - positions[side.vertices[0]]);
+  add('a', vertex_at(inner, positions, std::max(0.0, inset - first)));
+  add('b', vertex_at(inner, positions, length - inset - first));
+}
+
 }  // namespace
 
 std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
                                                       std::span<const Seam> seams,
-                                                      std::span<const TriMesh> meshes) {
-  const double least = 15.0 / millimetres_per(unit_from(arguments));
+                                                      std::span<const TriMesh> meshes,
+                                                      std::span<const std::string> names) {
+  const double millimetre = 1.0 / millimetres_per(unit_from(arguments));
   std::vector<std::vector<SeamNumber>> numbers(meshes.size());
   int number = 0;
   for (const Seam& seam : seams) {
-    ++number;
-    for (const SeamSide& side : seam.sides) {
-      const std::vector<Vec3>& positions = meshes[side.patch].positions;
-      const double length = length_of(side, std::span<const Vec3>(positions));
-      if (length >= least)
-        numbers[side.patch].push_back({number, middle_vertex(side, positions, length)});
+    SeamNumber written{.number = ++number};
+    for (std::size_t s = 0; s < 2; ++s) {
+      const std::size_t patch = seam.sides[s].patch, other = seam.sides[1 - s].patch;
+      written.partner = other == patch ? std::string() : names[other];
+      add_numbers_of_side(seam.sides[s], written, meshes[patch].positions, millimetre,
+                          numbers[patch]);
     }
   }
   return numbers;
@@ -149,7 +174,8 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
   if (meets_itself(patch)) {
     const std::span<const TriMesh> alone(&patch.mesh(), 1);
     annotations.seam_numbers =
-        numbers_of_seams(arguments, find_sound_seams(alone, seam_tolerance_from(arguments)), alone)
+        numbers_of_seams(arguments, find_sound_seams(alone, seam_tolerance_from(arguments)), alone,
+                         {&name, 1})
             .front();
   }
   const bool seams = arguments.has("--seam-notches");

@@ -44,12 +44,14 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const TriMesh> meshes,
                                                  std::span<const std::string> names);
 
-/// Of each patch where the numbers of its seams are written: at the middle of each side that is at
-/// least 15 mm long.
+/// Of each patch what is written of its seams: in the middle of each side that is at least 15 mm
+/// long, and near both ends of those of 80 mm or more.
 /// @param seams of the meshes
+/// @param names of the patches
 std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
                                                       std::span<const Seam> seams,
-                                                      std::span<const TriMesh> meshes);
+                                                      std::span<const TriMesh> meshes,
+                                                      std::span<const std::string> names);
 
 /// Seams with the names that a product file gives them: those between two pieces in the order of
 /// their numbers. A note says which names are left over.

@@ -77,7 +77,7 @@ Json to_json(const std::vector<Notch>& notches) {
 Json to_json(const std::vector<SeamNumber>& numbers) {
   Json list = Json::array();
   for (const SeamNumber& seam : numbers)
-    list.push_back({seam.number, seam.vertex});
+    list.push_back({seam.number, seam.vertex, seam.partner, static_cast<int>(seam.end)});
   return list;
 }
 

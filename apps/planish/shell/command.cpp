@@ -89,15 +89,15 @@ bool has_first_flags(const Command& command) {
 const FlagGroup& global_flags() {
   static const FlagGroup group = {
       "Flags of every verb",
-      {{"--json", "", "print one JSON object on standard output and nothing else there"},
-       {"--quiet", "", "no progress and no notes; results and errors still appear", 'q'},
+      {{"--json", "", "print one JSON object on standard output, and nothing else there"},
+       {"--quiet", "", "print no progress and no notes; results and errors still appear", 'q'},
        {"--threads",
         "N",
-        "use at most N threads; never changes the result (default: all usable cores)",
+        "largest number of threads; never changes the result (default: all usable cores)",
         0,
         false,
         {.range = k_threads}},
-       {"--help", "", "print help and end", 'h'},
+       {"--help", "", "print this help and end", 'h'},
        {"--help-all", "", "print help with all flags and end"},
        {"--version", "", "print the version and end"}}};
   return group;

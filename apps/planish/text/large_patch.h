@@ -28,7 +28,7 @@ std::string memory_text(const Method& method, std::size_t vertices, std::size_t 
 std::optional<std::string> remesh_offer(double seconds, double share, std::size_t vertices,
                                         std::size_t remeshed);
 
-/// The context of a run that says so once, when it can be told.
+/// The context of a run that says so once, when there is a place to say it.
 /// @param session must outlive it
 Context offering_remesh(Context context, const Patch& patch, Session& session);
 

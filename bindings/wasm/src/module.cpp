@@ -52,11 +52,11 @@ val meshed(const TriMesh& mesh) {
 }
 
 /// @param words an array of strings
-/// @param told called with stage, share and subject of long jobs
-val run(val words, val told) {
+/// @param on_progress called with stage, share and subject of long jobs
+val run(val words, val on_progress) {
   const Run run =
       run_program(emscripten::vecFromJSArray<std::string>(words), [&](const Progress& progress) {
-        told(std::string(progress.stage), progress.share, std::string(progress.subject));
+        on_progress(std::string(progress.stage), progress.share, std::string(progress.subject));
       });
   val made = val::object();
   made.set("code", run.exit_code);

@@ -64,15 +64,18 @@ struct ControllableLaplacian {
 template <class Visit>
 void describe(ControllableLaplacian& o, Visit&& visit) {
   visit("lambda_min", o.lambda_min,
-        "smallest step along the Laplacian vector; below 0 saddles can improve", Range{-10.0, 0.0});
+        "smallest step along the Laplacian vector; a value below 0 lets saddles improve",
+        Range{-10.0, 0.0});
   visit("lambda_max", o.lambda_max, "largest step along the Laplacian vector", Range{0.0, 10.0});
   visit("min_angle", o.min_angle,
-        "with lambda_min below 0: no triangle gets an angle below this, or below its present "
-        "one if that is smaller, in degrees",
+        "with lambda_min below 0: no triangle gets an angle below this, or below its own angle "
+        "before the step if that is smaller, in degrees",
         Range{0.0, 60.0});
   visit("max_deviation", o.max_deviation,
-        "no vertex ends further than this from where it began, in model units", Range{0.0});
-  visit("solver", o.solver, "how the best step is computed; trust_region is the paper's");
+        "farthest that a vertex may end from its position in the design, in model units",
+        Range{0.0});
+  visit("solver", o.solver,
+        "how the best step is computed; trust_region is the solver that the paper names");
 }
 
 /// In what order a sweep moves the vertices.
@@ -100,11 +103,12 @@ struct ClassicalLaplacian {
 
 template <class Visit>
 void describe(ClassicalLaplacian& o, Visit&& visit) {
-  visit("lambda", o.lambda, "share of the Laplacian vector that every vertex moves",
+  visit("lambda", o.lambda, "fraction of the Laplacian vector that every vertex moves",
         Range{0.0, 1.0});
-  visit("order", o.order, "order of the moves in a sweep");
+  visit("order", o.order, "order in which a sweep moves the vertices");
   visit("max_deviation", o.max_deviation,
-        "no vertex ends further than this from where it began, in model units", Range{0.0});
+        "farthest that a vertex may end from its position in the design, in model units",
+        Range{0.0});
 }
 
 /// How a least-norm step is turned into the next positions.
@@ -140,25 +144,29 @@ struct LeastNorm {
 
 template <class Visit>
 void describe(LeastNorm& o, Visit&& visit) {
-  visit("update", o.update, "how a step becomes positions until direct steps take over");
-  visit("switch_e_max", o.switch_e_max,
-        "direct steps take over when e_max is below this, in radians", Range{0.0});
-  visit("switch_after", o.switch_after,
-        "and after this number of faired steps, when one gains too little", Range{0.0, 1e9});
-  visit("switch_fall", o.switch_fall, "too little: e_max falls by less than this, in radians",
+  visit("update", o.update, "how a step gives new positions, until direct steps begin");
+  visit("switch_e_max", o.switch_e_max, "direct steps begin when e_max is below this, in radians",
         Range{0.0});
+  visit("switch_after", o.switch_after,
+        "direct steps also begin after this number of faired steps, once a faired step gains too "
+        "little",
+        Range{0.0, 1e9});
+  visit("switch_fall", o.switch_fall,
+        "a faired step gains too little if e_max falls by less than this, in radians", Range{0.0});
+  visit("damping", o.damping,
+        "damping of faired steps, relative to the median of the matrix's diagonal; 0 means 3e-6 "
+        "for cotangent, 3e-4 for uniform",
+        Range{0.0, 1e3});
   visit(
-      "damping", o.damping,
-      "of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for "
-      "uniform",
-      Range{0.0, 1e3});
-  visit("border_weight", o.border_weight,
-        "weight of moves of vertices next to the border; 10 keeps the patch's slant there",
-        Range{1e-3, 1e3});
-  visit("max_step", o.max_step, "a direct step moves no vertex by more of its shortest edge",
+      "border_weight", o.border_weight,
+      "weight of the moves of vertices next to the border; 10 keeps the slant of the surface there",
+      Range{1e-3, 1e3});
+  visit("max_step", o.max_step,
+        "largest move of a vertex in a direct step, as a multiple of its shortest edge",
         Range{1e-6, 10.0});
   visit("min_step", o.min_step,
-        "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
+        "converged when the rms step is below this fraction of the mean edge length",
+        Range{0.0, 1.0});
 }
 
 /// Flattenable Laplacian mesh (Wang 2008, Computer-Aided Design): the fairest surface near the
@@ -178,19 +186,20 @@ struct FlattenableLaplacian {
 
 template <class Visit>
 void describe(FlattenableLaplacian& o, Visit&& visit) {
-  visit("fairness", o.fairness, "w1: how much edges are to be short and even", Range{0.0, 1e6});
-  visit("position", o.position, "w2: how much vertices are to stay where they began",
+  visit("fairness", o.fairness, "w1, the weight of short and even edges", Range{0.0, 1e6});
+  visit("position", o.position, "w2, the weight of staying at the first positions",
         Range{1e-9, 1e6});
-  visit("tau", o.tau, "share of each step that is taken", Range{1e-3, 1.0});
+  visit("tau", o.tau, "fraction of each step that is taken", Range{1e-3, 1.0});
   visit("damping", o.damping,
-        "how soft the constraints are, in units of the matrix; as small as 1e-9 they are hard, as "
-        "printed, which few dense patches bear",
+        "softness of the constraints, relative to the matrix; 1e-9 makes them hard, as printed in "
+        "the paper, which fails on most dense patches",
         Range{1e-12, 1e3});
   visit("rebase_every", o.rebase_every,
-        "number of steps after which the positions reached become those to stay at; 0: never",
+        "after this number of steps the present positions become those to stay near; 0: never",
         Range{0.0, 1e9});
   visit("min_step", o.min_step,
-        "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
+        "converged when the rms step is below this fraction of the mean edge length",
+        Range{0.0, 1.0});
 }
 
 /// Local offsets after Wang and Tang 2004: always the inner vertex with the largest defect moves,
@@ -208,11 +217,11 @@ struct LocalOffset {
 template <class Visit>
 void describe(LocalOffset& o, Visit&& visit) {
   visit("band", o.band,
-        "no vertex ends further than this from where it began, in model units; 0 for the mean "
-        "length of the edges at inner vertices",
+        "farthest that a vertex may end from its position in the design, in model units; 0 means "
+        "the mean length of the edges at inner vertices",
         Range{0.0});
-  visit("enough", o.enough, "a defect of at most this is left alone, in radians", Range{0.0});
-  visit("max_updates", o.max_updates, "largest number of vertices tried, in all sweeps together",
+  visit("enough", o.enough, "defects of at most this are left as they are, in radians", Range{0.0});
+  visit("max_updates", o.max_updates, "largest number of vertices tried, over all sweeps",
         Range{0.0, 1e9});
 }
 
@@ -242,15 +251,15 @@ struct GlobalPenalty {
 
 template <class Visit>
 void describe(GlobalPenalty& o, Visit&& visit) {
-  visit("cg_steps", o.cg_steps, "conjugate-gradient steps between two settings of the penalty",
+  visit("cg_steps", o.cg_steps, "conjugate-gradient steps before the penalty grows",
         Range{1.0, 1000.0});
   visit("tolerance", o.tolerance,
-        "done when a sweep changes the summed squared defects by at most this share of what they "
-        "were at first",
+        "done when a sweep changes the sum of squared defects by at most this fraction of its "
+        "first value",
         Range{0.0, 1.0});
   visit("border", o.border,
-        "whether border vertices that came at the same place, as on the two sides of a seam, stay "
-        "or move together; all others stay");
+        "whether border vertices at the same place, as on the two sides of a seam, stay or move "
+        "together; all other border vertices stay");
 }
 
 /// Local flattenable perturbation (Wang, Towards flattenable mesh surfaces, 2008): around the worst
@@ -271,13 +280,14 @@ struct LocalPerturbation {
 
 template <class Visit>
 void describe(LocalPerturbation& o, Visit&& visit) {
-  visit("rings", o.rings, "number of rings around a vertex that move at once", Range{1.0, 10.0});
-  visit("inner_steps", o.inner_steps, "steps each time that a vertex is taken", Range{1.0, 1000.0});
-  visit("tau", o.tau, "share of the solved step that is gone", Range{0.0, 1.0});
-  visit("enough", o.enough, "e_max at which the method is done, in radians", Range{0.0});
+  visit("rings", o.rings, "number of rings around a vertex that move together", Range{1.0, 10.0});
+  visit("inner_steps", o.inner_steps, "steps for each visit of a vertex", Range{1.0, 1000.0});
+  visit("tau", o.tau, "fraction of each step that is taken", Range{0.0, 1.0});
+  visit("enough", o.enough, "done when e_max is at most this, in radians", Range{0.0});
   visit("clearance", o.clearance, "distance to keep from the obstacle, in model units", Range{0.0});
   visit("max_deviation", o.max_deviation,
-        "no vertex ends further than this from where it began, in model units", Range{0.0});
+        "farthest that a vertex may end from its position in the design, in model units",
+        Range{0.0});
 }
 
 /// Bi-Laplacian fairing: all inner vertices at once to where the surface bends least, the border
@@ -294,11 +304,12 @@ struct BilaplacianFairing {
 template <class Visit>
 void describe(BilaplacianFairing& o, Visit&& visit) {
   visit("pull", o.pull,
-        "how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over "
-        "the root of this stay, a size being the root of the area; 0: not at all",
+        "how strongly vertices are pulled to their first positions; waves longer than 2 pi "
+        "sqrt(area / pull) stay, shorter ones go; 0: no pull",
         Range{0.0, 1e9});
   visit("min_step", o.min_step,
-        "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
+        "converged when the rms step is below this fraction of the mean edge length",
+        Range{0.0, 1.0});
 }
 
 /// Strain, rms, as a share of length, that nobody can measure on cloth, leather or plate: where
@@ -340,33 +351,34 @@ struct Auto {
 template <class Visit>
 void describe(Auto& o, Visit&& visit) {
   visit("max_strain", o.limits.max,
-        "change the form as little as it takes until no edge of a pattern has to stretch by more "
-        "than this, as a share of length",
+        "largest strain that an edge of the pattern may have, as a fraction of its length; the "
+        "form changes only as much as this needs",
         Range{0.0, 1.0});
   visit("max_rms_strain", o.limits.rms,
-        "the same by the root mean square of the strain, which a few positions with more do not "
-        "decide",
+        "largest root mean square of the strain, as a fraction of length; a few places with more "
+        "strain do not decide it",
         Range{0.0, 1.0});
   visit("max_deviation", o.max_deviation,
-        "no vertex ends further than this from where it began, in model units", Range{0.0});
+        "farthest that a vertex may end from its position in the design, in model units",
+        Range{0.0});
   visit("min_angle", o.min_angle,
-        "no triangle gets an angle below this, or below the smallest one at first if that is "
-        "smaller, in degrees",
+        "no triangle gets an angle below this, or below the smallest angle of the design if that "
+        "is smaller, in degrees",
         Range{0.0, 60.0});
-  visit(
-      "max_bending", o.max_bending,
-      "with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger "
-      "one lets the surface stay nearer; 0: as smooth as usual",
-      Range{0.0, 1e6});
+  visit("max_bending", o.max_bending,
+        "with prefer smooth or flat: largest bending, as a multiple of the design's; a larger "
+        "value keeps the surface nearer to the design; 0: as smooth as usual",
+        Range{0.0, 1e6});
   visit("prefer", o.prefer,
-        "what counts most: that the surface stays smooth, becomes flattenable, or stays near");
+        "what matters most: a smooth surface, a flattenable surface, or a surface near to the "
+        "design");
   visit("closeness", o.closeness,
-        "how much rougher the surface may get for staying close: 0: no rougher than at first, 1: "
-        "twice as rough and 2.5 degrees more",
+        "how much roughness to accept for a surface nearer to the design; 0: no rougher than the "
+        "design, 1: twice as rough and 2.5 degrees more",
         Range{0.0, 1e6});
   visit("border", o.border,
-        "what vertices of the border may do: stay, slide along the border as it was, or go as far "
-        "from where they were as this, in model units");
+        "what border vertices may do: stay, slide along the border of the design, or move by at "
+        "most a distance in model units");
 }
 
 /// A method is a value: its options say which one it is. Each has its struct above, its source file

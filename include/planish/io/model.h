@@ -129,7 +129,7 @@ struct Model {
 /// of its part of the file, or that of the file; of several with one name each has a number behind
 /// it, as in "sleeve-2", and names that differ by capitals only get one too. Crumbs are left out:
 /// connected parts with less than 1 % of the area of the part that has their name. A part with a
-/// name of its own is never a crumb. What is done is told in notes with its count. A sound mesh
+/// name of its own is never a crumb. Notes say what was done, and how often. A sound mesh
 /// comes out as it is, with every bit.
 /// @param name of the file
 /// @throws Error option_out_of_range for lengths below 0; no_triangles where nothing is left;

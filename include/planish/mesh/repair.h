@@ -55,8 +55,8 @@ struct SeparatedMesh : RepairedMesh {
 };
 
 /// Gives every fan of triangles a vertex of its own where several share one without sharing an
-/// edge: holes that touch are told apart, and so are two pieces that touch at a point. The fan with
-/// the first triangle keeps the vertex. The surface does not change.
+/// edge: holes that touch are separate holes, and so are two pieces that touch at a point. The fan
+/// with the first triangle keeps the vertex. The surface does not change.
 SeparatedMesh separate_touching(const TriMesh& mesh);
 
 /// Parts the sheets that meet at edges of three and more triangles: there every triangle gets a

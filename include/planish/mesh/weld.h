@@ -29,7 +29,7 @@ struct WeldedMesh : RepairedMesh {
 /// @throws Error option_out_of_range where it is below 0 or no number
 WeldedMesh weld(const TriMesh& mesh, double length);
 
-/// The length for a mesh of which none is told: 1e-5 of the diagonal of the bounding box.
+/// The length for a mesh where none is given: 1e-5 of the diagonal of the bounding box.
 double default_weld_length(const TriMesh& mesh);
 
 /// The smallest distance between the borders of two pieces, model units; nothing where no two have

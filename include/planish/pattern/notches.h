@@ -43,7 +43,7 @@ struct Notch {
     return {{{from, to}}, fraction, kind, is_double};
   }
 
-  /// The vertex that it is at; none where it is told by a fraction.
+  /// The vertex that it is at; none where a fraction of the border gives its place.
   std::optional<Index> vertex() const {
     return edge && edge->front() == edge->back() ? std::optional(edge->front()) : std::nullopt;
   }

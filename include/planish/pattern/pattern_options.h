@@ -29,10 +29,13 @@ struct PieceLabel {
 /// sheet's x axis, in degrees, counter-clockwise.
 using Grain = std::variant<Vec3, double>;
 
-/// Where the number of a seam is written: inside the piece, beside a vertex of its border.
+/// What is written of a seam inside the piece, beside a vertex of its border: "seam 3: back" in the
+/// middle of its side, "3a" and "3b" near the ends. Sides are sewn a to a and b to b.
 struct SeamNumber {
-  int number = 0;    ///< of the seam, from 1
-  Index vertex = 0;  ///< of the mesh
+  int number = 0;            ///< of the seam, from 1
+  Index vertex = 0;          ///< of the mesh
+  std::string partner = {};  ///< the piece on the other side; empty: this one, as along a dart
+  char end = 0;              ///< 'a' where the seam begins, 'b' where it ends; 0: its middle
 };
 
 /// Where a pattern's places are those of another one, mirrored or not (twin_report()): its lines
@@ -77,7 +80,7 @@ struct PatternOptions {
   bool is_half() const { return fold && !fold->opened; }
 };
 
-/// The options of a piece for the mirror image of it: a grain that is told by its angle is
+/// The options of a piece for the mirror image of it: a grain that is given by its angle is
 /// mirrored, one by a direction on the model stays that. Labels and all that stands at vertices
 /// stay.
 PatternOptions for_mirror_image(PatternOptions options);

@@ -10,7 +10,7 @@ namespace planish {
 
 namespace {
 
-// FNV-1a: told apart, not protected.
+// FNV-1a: tells files apart, protects nothing.
 std::uint64_t hash_of(std::string_view bytes, std::uint64_t hash) {
   for (const char c : bytes)
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;

@@ -10,8 +10,8 @@ namespace planish {
 /// How many letters a text has, or more where formats with Latin letters only spell it with more.
 std::size_t letters_in(std::string_view text);
 
-/// A text in lines of at most so many letters, broken between its parts ("a · b"), or between words
-/// where it has one part. What cannot be broken is longer.
+/// A text in lines of at most this number of letters, broken between its parts ("a · b"), or
+/// between words where it has one part. What cannot be broken is longer.
 std::vector<std::string> broken_lines(std::string_view text, std::size_t most_letters);
 
 }  // namespace planish

@@ -30,7 +30,7 @@ constexpr int k_patience = 10;
 /// each of them keeps more than half of its own.
 constexpr double k_longest_move = 0.1;
 
-/// No step may make a defect larger than so many times the largest when the round began.
+/// No step may make a defect larger than this multiple of the largest when the round began.
 constexpr double k_blow_up = 4.0;
 /// What share of the largest eigenvalue an eigenvalue must have to count, and what it must where
 /// the step with all of these blows up.

@@ -47,7 +47,7 @@ class TextCursor {
   void next_line();
 
   /// The next word of this line as a finite number.
-  /// @param non_finite what it is to be told as if it is not finite
+  /// @param non_finite what an error calls it if it is not finite
   /// @throws Error bad_number, non_finite, malformed_file or truncated_file
   double number(ErrorCode non_finite = ErrorCode::non_finite_coordinate);
 
@@ -56,7 +56,7 @@ class TextCursor {
   std::uint64_t count();
 
   /// To be called behind the last item: tells of words that are left; empty where there are none.
-  /// @param faces so many it announces
+  /// @param faces the number that it announces
   /// @throws Error malformed_file if they begin with a number: there are more items than announced
   std::string rest_note(std::uint64_t faces);
 

@@ -53,14 +53,14 @@ class ObjParser {
     for (; !cursor_.at_end(); cursor_.next_line())
       statement();
     check();
-    std::vector<std::string> told = notes();
+    std::vector<std::string> read_notes = notes();
     FaceGroups groups = this->groups();
     const std::size_t faces = faces_.size();  // before they are taken
     std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
     std::vector<std::array<float, 3>> colors = this->colors();
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::obj,
-            .notes = std::move(told),
+            .notes = std::move(read_notes),
             .groups = std::move(groups),
             .materials = materials_.spread("usemtl", faces),
             .colors = std::move(colors)};

@@ -35,12 +35,12 @@ class OffParser {
     for (std::uint64_t i = 0; i < face_count_; ++i)
       face(i);
     std::string rest = cursor_.rest_note(face_count_);
-    std::vector<std::string> told = notes();
-    if (!rest.empty()) told.push_back(std::move(rest));
+    std::vector<std::string> read_notes = notes();
+    if (!rest.empty()) read_notes.push_back(std::move(rest));
     std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::off,
-            .notes = std::move(told)};
+            .notes = std::move(read_notes)};
   }
 
  private:

@@ -60,7 +60,7 @@ bool has(const std::vector<Problem>& problems, ErrorCode code) {
 }
 
 /// Parts the sheets of a mesh: not where triangles run against each other, as then what is a sheet
-/// cannot be told, and parting would tear it.
+/// is not known, and parting would tear it.
 void part_sheets(ModelPart& part, const std::vector<Problem>& problems, ModelWork& work) {
   if (has(problems, ErrorCode::inconsistent_orientation) ||
       has(problems, ErrorCode::non_orientable)) {
@@ -78,7 +78,7 @@ void part_touching(ModelPart& part, ModelWork& work) {
 }
 
 /// What a mesh that is no manifold can be made one by. One with triangles that are there twice
-/// stays, to be refused: which of them are of one sheet cannot be told.
+/// stays, to be refused: which of them are of one sheet is not known.
 void mend_defects(ModelPart& part, ModelWork& work) {
   const std::vector<Problem> problems = find_manifold_defects(part.mesh).problems;
   if (has(problems, ErrorCode::duplicate_triangle)) return;

@@ -11,7 +11,7 @@
 namespace planish {
 
 /// Goes over the numbers of an attribute of SVG: with blanks, a comma or nothing between them where
-/// they can be told apart.
+/// they differ.
 class SvgNumbers {
  public:
   explicit SvgNumbers(std::string_view text) : text_(text) {}

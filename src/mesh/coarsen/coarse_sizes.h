@@ -9,8 +9,8 @@
 
 namespace planish {
 
-/// By vertex, the edge length of equal triangles over the surface with about so many vertices, in
-/// the units of the surface.
+/// By vertex, the edge length of equal triangles over the surface with about this number of
+/// vertices, in the units of the surface.
 std::vector<double> even_sizes(const FineSurface& surface, std::size_t vertices);
 
 /// By vertex, the edge length of triangles that have the size of the edges between fixed vertices

@@ -31,7 +31,8 @@ enum class CoarseBorder {
 /// are not made, nor are needles, unless those that they replace are worse. The same bits every
 /// time. O(n log n).
 /// @param patch each part of it has a border
-/// @param vertices about so many are left, of very few perhaps none inside; more where none can be
+/// @param vertices about this number is left, of very few perhaps none inside; more where none can
+/// be
 ///   taken without harm; if the mesh has no more, it is returned as it is
 /// @param keep by vertex: 1 for those that must stay (empty: none)
 /// @param pool of the job that it is a part of

@@ -15,7 +15,7 @@ class VertexQueue {
  public:
   explicit VertexQueue(std::size_t vertex_count) : places_(vertex_count, k_outside) {}
 
-  /// Makes room for so many.
+  /// Makes room for this number.
   void reserve(std::size_t count) { heap_.reserve(count); }
 
   bool empty() const { return heap_.empty(); }

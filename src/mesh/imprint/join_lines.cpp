@@ -148,11 +148,11 @@ class Joiner {
     const Vec3 end = is_last ? places_[l].back() : places_[l].front();
     const Nearest nearest = nearest_to(l, is_last, end);
     if (nearest.distance <= k_same_place && nearest.line) return;
-    const LineEnd told = {l, is_last, nearest.distance / scale_, nearest.line};
+    const LineEnd free_end = {l, is_last, nearest.distance / scale_, nearest.line};
     const bool is_joined =
         nearest.distance <= tolerance_ &&
         (lead_on(l, is_last, end, ahead(l, is_last, nearest)) || lead_on(l, is_last, end, nearest));
-    (is_joined ? result_.joined : result_.free).push_back(told);
+    (is_joined ? result_.joined : result_.free).push_back(free_end);
   }
 
   /// Adds the way over the mesh to a place, if there is a short one.

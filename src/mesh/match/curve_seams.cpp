@@ -16,7 +16,7 @@ using Place = std::array<double, 2>;
 
 constexpr std::size_t k_fewest_edges = 5;  // edges of the finer side
 constexpr double k_shortest_seam = 0.002;  // of the shorter loop
-constexpr double k_distances = 25.0;       // a seam is longer than so many times its distance
+constexpr double k_distances = 25.0;       // a seam is longer than this multiple of its distance
 constexpr double k_matched = 0.6;          // of the vertices of each side
 constexpr double k_at_vertex = 0.01;       // of an edge, within which a seam ends at its vertex
 constexpr double k_tip_edges = 4.0;  // a dart's tip is so near to the last places of its sides

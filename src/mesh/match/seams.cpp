@@ -201,7 +201,7 @@ class SeamChoice {
     exact.has_no_strays = true;
   }
 
-  /// Whether so many of the edges are in seams with equal vertices: where nearly all are, what lies
+  /// Whether enough of the edges are in seams with equal vertices: where nearly all are, what lies
   /// beside them is another layer.
   bool is_sewn(const std::vector<std::size_t>& edges, double share = 0.9) const {
     const auto count =

@@ -39,7 +39,8 @@ double rest_of_product(double a, double b, double rounded) {
 int side_of(Vec2 a, Vec2 b, Vec2 c) {
   const Vec2 along = b - a, to = c - a;  // no digit is lost
   const double left = along.x * to.y, right = along.y * to.x;
-  // Rounding keeps the order of what differs once rounded; what does not is told by the remainders.
+  // Rounding keeps the order of what differs once rounded; where roundings are equal the remainders
+  // decide.
   if (left != right) return left > right ? 1 : -1;
   const double left_rest = rest_of_product(along.x, to.y, left);
   const double right_rest = rest_of_product(along.y, to.x, right);

@@ -12,7 +12,7 @@ namespace {
 /// Of the square of the extent: what rounding leaves of an area that is 0, of corners that are no
 /// farther from the origin than the extent.
 constexpr double k_no_area = 1e-14;
-/// Rounded to so many steps of that unit, differences of places are exact.
+/// Rounded to whole steps of that unit, differences of places are exact.
 constexpr double k_steps = 562949953421312.0;  // 2^49
 
 double largest_coordinate(Vec3 p) {

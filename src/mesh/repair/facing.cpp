@@ -17,7 +17,7 @@ namespace {
 constexpr double k_parallel = 0.8660254037844386;
 // Distances are the median within this share.
 constexpr double k_spread = 0.2;
-// A side is so many times as large across as the wall is thick.
+// A side is at least this many times as large across as the wall is thick.
 constexpr double k_least_extent = 20.0;
 // The share of the area, without rims, that faces the other side.
 constexpr double k_facing_area = 0.9;

@@ -14,7 +14,7 @@ namespace planish {
 
 namespace {
 
-// A triangle is higher than so many times the distance of the vertex from its edge.
+// A triangle is higher than this multiple of the distance of the vertex from its edge.
 constexpr double k_least_height = 3.0;
 // Of the largest coordinate: what rounding moves a vertex off its edge.
 constexpr double k_off_by_rounding = 0x1p-50;

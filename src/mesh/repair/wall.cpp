@@ -25,8 +25,8 @@ namespace {
 constexpr double k_smooth = 0.8660254037844386;
 // Of the area, what contradicts that a side faces the other one and not itself.
 constexpr double k_contradiction = 0.02;
-// A side bulges where its bends make up so much of all bends, either way, and so many radians
-// across the root of its area. A sheet that turns by half a degree is flat.
+// A side bulges where its bends make up this fraction of all bends, either way, and this many
+// radians across the root of its area. A sheet that turns by half a degree is flat.
 constexpr double k_one_way = 0.1;
 constexpr double k_least_turn = 0.01;
 

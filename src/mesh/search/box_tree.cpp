@@ -14,7 +14,7 @@ double coordinate(Vec3 p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// How many nodes a tree of so many triangles has.
+/// Number of nodes of a tree with this number of triangles.
 std::size_t node_count(std::size_t triangles) {
   if (triangles <= k_leaf_size) return 1;
   return 1 + node_count(triangles / 2) + node_count(triangles - triangles / 2);

@@ -19,7 +19,7 @@ struct Distance {
 /// Distances from a closed manifold surface whose triangles all have an area and are oriented
 /// outwards: see require_closed(). In its units, with the limits of ClosestPointTree.
 ///
-/// Which side a point is on is told by the normal at the closest point: of the triangle, the sum of
+/// The normal at the closest point says which side a point is on: of the triangle, the sum of
 /// both normals on a side, and at a corner the sum of all, each weighted by its triangle's angle.
 /// That is right everywhere (Baerentzen and Aanaes, Signed distance computation using the angle
 /// weighted pseudonormal, 2005), where a single triangle's normal is wrong near edges and corners.

@@ -86,7 +86,7 @@ std::error_code try_to_replace(const fs::path& from, const fs::path& to) noexcep
 }  // namespace
 
 FileContent::FileContent(const fs::path& path) {
-  // With this flag a folder opens too, and can be told from a file that may not be read.
+  // With this flag a folder opens too, and is not mistaken for a file that may not be read.
   const Handle file(CreateFileW(path.c_str(), GENERIC_READ, k_share_all, nullptr, OPEN_EXISTING,
                                 FILE_FLAG_BACKUP_SEMANTICS, nullptr));
   if (!file) {

@@ -34,7 +34,7 @@ struct PageInput {
   /// principal stretches.
   std::optional<MapLimit> limit = {};
   std::size_t shown = 1;  ///< the state that is shown beside the first at the start
-  /// Meshes with more are simplified; 0: so many that the data take about four and a half
+  /// Meshes with more are simplified; 0: the number whose data take about four and a half
   /// megabytes, which are some 42,000 for two states.
   std::size_t most_vertices = 0;
 

@@ -16,7 +16,7 @@ namespace planish {
 // What the data of all pages are made of.
 
 Json view_json(const View& view);
-/// Numbers of 16 bits where they suffice for so many vertices.
+/// Numbers of 16 bits where they suffice for the vertices.
 Json triangles_json(std::span<const Triangle> triangles, std::size_t vertices);
 /// The positions of all vertices in each state, on one grid.
 /// @param shown as PageInput has it

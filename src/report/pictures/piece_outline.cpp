@@ -16,7 +16,7 @@ namespace {
 // The window, and what is left free for the discs with numbers. Its unit is about 1.7 pixels.
 constexpr double k_width = 104.0, k_height = 100.0, k_outline_margin = 8.0;
 constexpr double k_disc = 5.8;      // radius
-constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones cannot be told apart
+constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones look like one
 
 /// Places in the pattern to places in the window, where y points down.
 class Fit {

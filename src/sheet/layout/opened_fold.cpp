@@ -215,7 +215,9 @@ class FoldedHalf {
     add_images(own.drawn_lines);
     const std::vector<SeamNumber> numbers = own.seam_numbers;
     for (const SeamNumber& seam : numbers) {
-      if (!is_on_fold(seam.vertex)) own.seam_numbers.push_back({seam.number, image(seam.vertex)});
+      if (is_on_fold(seam.vertex)) continue;
+      own.seam_numbers.push_back(seam);
+      own.seam_numbers.back().vertex = image(seam.vertex);
     }
     return own;
   }

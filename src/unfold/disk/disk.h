@@ -79,7 +79,7 @@ inline double doubled_area(const Triangle& t, std::span<const Vec2> flat) {
   return cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]);
 }
 
-/// True if every triangle laid flat has an area above 0 that can be told from rounding.
+/// True if every triangle laid flat has an area above 0 larger than rounding errors.
 bool all_upright(const Disk& disk, std::span<const Vec2> flat);
 
 }  // namespace planish

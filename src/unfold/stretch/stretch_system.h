@@ -51,7 +51,7 @@ class StretchSystem {
   /// A place near to one that the last factor was made at, with what a step must keep; nothing
   /// where that fails.
   virtual std::optional<std::vector<Vec2>> restored(std::vector<Vec2> flat) const { return flat; }
-  /// To be told of each step that was made, with the share of it.
+  /// Called after each step, with the fraction of it that was taken.
   virtual void follow(const Eigen::VectorXd& /*step*/, double /*share*/) {}
 
   /// Adds to a vector of the unknowns what a vertex gets, or the ends of an edge.

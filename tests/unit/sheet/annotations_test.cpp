@@ -13,6 +13,7 @@
 #include "oracle/outline_distance.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
+#include "sheet/edge_texts.h"
 #include "sheet/sheet_layout.h"
 #include "support/sample_report.h"
 #include "unit/sheet/layers.h"
@@ -260,6 +261,32 @@ TEST(Annotations, WritesTheNumbersOfSeamsInsideBesideTheirVertices) {
   EXPECT_NEAR(0.5 * (lower.low.x + lower.high.x) - corner.x, 100.0, 1e-9);
   EXPECT_NEAR(left.low.x - corner.x, 3.5, 1e-9);
   EXPECT_NEAR(0.5 * (left.low.y + left.high.y) - corner.y, 100.0, 1e-9);
+}
+
+TEST(Annotations, NamesThePartnerOfASeamAndMarksItsEnds) {
+  const Drawing sheet = sheet_with({.seam_numbers = {{3, 2, "back"}, {3, 1, "back", 'a'}}});
+  EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("seam 3: back", "3a"));
+  const auto& shapes = layer_of(sheet, "annotation").shapes;
+  const Text &middle = std::get<Text>(shapes[0]), &end = std::get<Text>(shapes[1]);
+  EXPECT_LT(end.height, middle.height);
+  EXPECT_LT(end.at.x, middle.at.x) << "the border runs on from a";
+  for (const Text& text : {middle, end}) {
+    const TextBox box = box_of(text);
+    for (const Vec2 at : {box.low, box.high})
+      EXPECT_TRUE(oracle::is_inside(at, path(sheet, "cut").lines)) << text.text;
+  }
+}
+
+TEST(Annotations, ScaleLettersWithLargeAndSmallPieces) {
+  const auto square = [](double side) {
+    return Polygon{{0.0, 0.0}, {side, 0.0}, {side, side}, {0.0, side}};
+  };
+  EXPECT_EQ(letter_scale(square(100.0)), 1.0);
+  EXPECT_EQ(letter_scale(square(1500.0)), 1.0);
+  EXPECT_EQ(letter_scale(square(9000.0)), 6.0);
+  EXPECT_EQ(letter_scale(square(50.0)), 0.5);
+  EXPECT_EQ(letter_scale(square(28.0)), 0.4) << "1.6 mm for a seam's number can still be read";
+  EXPECT_EQ(letter_scale(square(1e6)), 8.0);
 }
 
 TEST(Annotations, KeepsNumbersOfSeamsAndLengthsApart) {

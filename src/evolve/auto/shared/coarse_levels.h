@@ -16,7 +16,7 @@ namespace planish {
 /// down to few. Level 0 is the patch itself.
 class CoarseLevels {
  public:
-  /// @param small patches of so many vertices have no coarser level
+  /// @param small patches of this number of vertices have no coarser level
   /// @param orbits levels are to have them too, where they can: those of the patch, or none
   CoarseLevels(const PatchState& patch, std::size_t small, MirrorOrbits orbits,
                const ThreadPool& pool);

@@ -46,7 +46,7 @@ std::vector<Index> vertices_of_largest_defects(const PatchState& state) {
   return vertices;
 }
 
-/// The inner vertices up to so many edges away, increasing.
+/// The inner vertices up to this number of edges away, increasing.
 std::vector<Index> inner_vertices_around(std::vector<Index> vertices, int edges,
                                          const AngleJacobian& jacobian) {
   std::vector<unsigned char> seen(jacobian.row_count(), 0);

@@ -31,7 +31,7 @@ class DefectPolish {
   struct Cycle {
     std::size_t moved = 0;   ///< vertices
     bool flat = false;       ///< the patch is surely flattenable
-    int slow = 0;            ///< so many in a row with a step have left most of the energy
+    int slow = 0;            ///< this number in a row with a step have left most of the energy
     bool over = false;       ///< nothing moved, too many have stalled in a row, or it was the last
     bool in_double = false;  ///< float did not do for a matrix
   };

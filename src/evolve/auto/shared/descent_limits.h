@@ -16,7 +16,7 @@ struct DescentLimits {
   BorderFreedom border = {};
 };
 
-/// The angle that `auto` keeps, radians: as told, or else no needles but for those that there are.
+/// The angle that `auto` keeps, radians: the option's, or else such that no new needles arise.
 double angle_to_keep(const Auto& options, const PatchState& state, ThreadPool& pool);
 
 /// Those of `auto` on a level.

@@ -14,7 +14,7 @@ namespace tuning {
 
 // Of both methods.
 
-/// Of the vertices of a level one in so many is on the next coarser one.
+/// Of the vertices of a level one in this number is on the next coarser one.
 inline constexpr std::size_t k_thinning = 4;
 /// Strain, rms, above which the border is taken to forbid the rest: polishing cannot do it.
 inline constexpr double k_blocked_strain = 1e-2;
@@ -110,15 +110,16 @@ inline constexpr double k_first_sigma = 0.02, k_closer_sigma = 0.005;
 /// Least sigma over the strain: where much strain cannot go, less would buy little of it with much
 /// bending.
 inline constexpr double k_least_sigma = 0.3;
-/// A stage ends after so many steps, or with one that takes less than this share of the merit off.
+/// A stage ends after this number of steps, or with one that takes less than this share of the
+/// merit off.
 inline constexpr int k_most_of_stage = 8;
 inline constexpr double k_stage_fall = 0.05;
-/// A level has settled after so many steps that take less than this share of the merit off.
+/// A level has settled after this number of steps that take less than this share of the merit off.
 inline constexpr int k_settled_steps = 2;
 inline constexpr double k_settled_fall = 1e-2;
 /// The same of a step along lines, which counts as three.
 inline constexpr double k_settled_fall_along_lines = 3e-2;
-/// Strain is stuck after so many steps that take less than this share of it off.
+/// Strain is stuck after this number of steps that take less than this share of it off.
 inline constexpr int k_stuck_steps = 6;
 inline constexpr double k_stuck_fall = 0.02;
 /// Steps with the weights of the coarser level, until what lifting broke is mended.
@@ -132,7 +133,7 @@ inline constexpr double k_delta_exponent = 0.35, k_least_delta_factor = 0.85,
 /// The least factor of delta on the dense levels of large patches: their few steps would not let
 /// the bending follow.
 inline constexpr double k_least_delta_factor_large = 0.98;
-/// Where all strain is to go: delta, and sigma in the first so many steps and after them.
+/// Where all strain is to go: delta, and sigma in this number of first steps and after them.
 inline constexpr double k_strict_delta = 0.0125, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;
 inline constexpr int k_steps_first_strict = 10;
@@ -154,7 +155,7 @@ inline constexpr DampingRule k_damping = {.ease = 0.25, .tighten = 4.0, .first =
 
 /// `--prefer near`.
 namespace prefer_near {
-/// A patch of so many vertices at most is worked on as it is.
+/// A patch of at most this number of vertices is worked on as it is.
 inline constexpr std::size_t k_coarsest = 6000;
 /// Strain, rms, at which a level is done, as lifting brings more than that and polishing takes out
 /// what is left; and that at which the patch itself is done where a step leaves more than this
@@ -163,12 +164,12 @@ inline constexpr double k_level_strain = 1e-4, k_polish_strain = 3e-4, k_quick_f
 /// Steps at most: on the coarsest level, on finer ones, and on those after a level that the border
 /// blocks, where a few mend what lifting did.
 inline constexpr int k_most_first_steps = 150, k_most_steps = 100, k_blocked_steps = 5;
-/// Where vertices are at the limit of deviation, so many steps in a row are the last that leave
-/// more than this share of the strain.
+/// Where vertices are at the limit of deviation, this number of steps in a row are the last that
+/// leave more than this share of the strain.
 inline constexpr int k_most_at_limit = 5;
 inline constexpr double k_gain_at_limit = 0.98;
-/// So often polishing that ends early gives way to another round of the descent: after so many slow
-/// cycles in a row where the descent had come to its end.
+/// This often polishing that ends early gives way to another round of the descent: after this
+/// number of slow cycles in a row where the descent had come to its end.
 inline constexpr int k_most_rounds = 6, k_slow_cycles = 2;
 /// A coarsest level that ends too rough is done again so often, each time with the exponent of the
 /// allowance times this.
@@ -232,7 +233,7 @@ inline constexpr double k_closeness_ease = 0.25, k_closeness_growth = 2.0, k_ple
 /// A border that is nearly held: of the strain at first the share that is much, and the least ease.
 inline constexpr double k_much_strain = 0.2, k_least_ease = 1e-4;
 
-/// Reduction of the deviation along a limit: steps at most, so many that bring little, and the
+/// Reduction of the deviation along a limit: steps at most, the number that bring little, and the
 /// share of the deviation that little leaves.
 inline constexpr int k_most_reduction_steps = 60, k_most_idle_reduction_steps = 15;
 inline constexpr double k_worth_it = 0.995;
@@ -263,11 +264,11 @@ inline constexpr int k_most_dampings = 8, k_most_halvings = 6;
 inline constexpr DampingRule k_damping = {.ease = 0.3, .tighten = 4.0, .least = 1e-6},
                              k_damping_dense = {.ease = 0.3, .tighten = 4.0, .least = 1e-4};
 inline constexpr double k_tighten_much = 10.0;
-/// Clusters (reduce_largest_defects) are around the vertices of the largest defects: so many at
+/// Clusters (reduce_largest_defects) are around the vertices of the largest defects: this number at
 /// most, or those that have this share of the energy.
 inline constexpr std::ptrdiff_t k_most_largest = 200;
 inline constexpr double k_share_of_largest = 0.95;
-/// They reach so many edges away from these.
+/// They reach this number of edges away from these.
 inline constexpr int k_cluster_edges = 3;
 /// Steps of a cluster at most. With the least damping, one that leaves more than this share of its
 /// energy is its last.

@@ -299,7 +299,7 @@ Positions SmoothDescent::shortened(Positions step) const {
 }
 
 /// A share of the full step, and where `corrected` what a second solve makes of it, if that is
-/// better: that takes back by how much the defects miss what their Jacobian told.
+/// better: that takes back by how much the defects miss what their Jacobian predicted.
 SmoothDescent::Trial SmoothDescent::try_step(const Positions& before,
                                              const Eigen::VectorXd& defects, const Positions& full,
                                              double share, bool corrected) {

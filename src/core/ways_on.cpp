@@ -77,7 +77,7 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::unsupported_constraint:
       return "Leave one of them out, or choose another --method";
     case ErrorCode::misplaced_cut:
-      return "Mend that line of the file of --cut; planish suggest-cuts writes one";
+      return "Mend that --cut; planish panels finds where to cut";
     case ErrorCode::not_symmetric:
       return "Leave --symmetric out, or take one half for both: --symmetric PLANE --mirror-surface";
     case ErrorCode::unfold_failed:

@@ -134,9 +134,13 @@ Json materials_of(const std::vector<MaterialLayout>& materials) {
 
 void to_json(Json& json, const LayoutReport& layout) {
   const NestOptions& sheets = layout.sheets;
-  json = {{"sheet_width", sheets.width}, {"sheet_length", sheets.length},
-          {"gap", sheets.gap},           {"margin", sheets.margin},
-          {"folded", sheets.folded},     {"turn", to_string(sheets.turns)}};
+  json = {{"sheet_width", sheets.width},
+          {"sheet_length", sheets.length},
+          {"gap", sheets.gap},
+          {"margin", sheets.margin},
+          {"folded", sheets.folded},
+          {"in_holes", sheets.in_holes},
+          {"turn", to_string(sheets.turns)}};
   if (layout.failure) {
     json["error"] = *layout.failure;
     return;

@@ -21,6 +21,7 @@ NestOptions options_from(fuzz::Bytes& bytes) {
   options.step = 0.5 * static_cast<double>(bytes.byte() % 40);
   options.turns =
       std::array{Turns::none, Turns::half, Turns::quarter, Turns::free}[bytes.whole(0, 3)];
+  options.in_holes = bytes.flag();
   return options;
 }
 

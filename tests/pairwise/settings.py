@@ -115,6 +115,7 @@ NEEDS = {
     "--turn": ["--sheet"],
     "--nest-gap": ["--sheet"],
     "--nest-margin": ["--sheet"],
+    "--nest-in-holes": ["--sheet"],
     "--dxf-notches": ["--dxf-profile=aama|gerber", DXF],
     "--dxf-profile": [DXF],
     "--dxf-version": [DXF],

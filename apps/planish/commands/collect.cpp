@@ -237,7 +237,7 @@ CommandResult run_collect(const Arguments& arguments, Session& session) {
 
 Command collect_command() {
   return {"collect",
-          "join the results of flatten --inputs into one table and one page",
+          "join results of flatten --inputs into one table and page",
           "RESULTS ... [-o FOLDER]",
           "Takes folders that flatten --inputs wrote into, or files with the lines of JSON that it "
           "printed. Writes patches.csv, the same table that one run over all inputs writes, and "

@@ -25,7 +25,7 @@ CommandResult run_completion(const Arguments& arguments, Session&) {
 
 Command completion_command() {
   return {"completion",
-          "script that lets a shell complete verbs, flags and file names",
+          "script that completes verbs, flags and files in a shell",
           "SHELL",
           "Prints a script for " + list_of(shell_names()) +
               ". Once the shell has loaded it, the Tab key completes verbs, flags, their values, "

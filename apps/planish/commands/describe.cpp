@@ -162,7 +162,7 @@ CommandResult run_describe(const Arguments& arguments, Session&) {
 
 Command describe_command() {
   return {"describe",
-          "list the values that all flags accept, for programs that build on this one",
+          "list what all flags accept, for programs that use this one",
           "[VERB]",
           "Prints what the flags of each verb, or of one verb, accept: type, range, choices and "
           "default. With --json it prints all that --help-all prints too, for forms and bindings.",

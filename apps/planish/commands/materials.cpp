@@ -23,7 +23,7 @@ CommandResult run_materials(const Arguments& arguments, Session&) {
 
 Command materials_command() {
   return {"materials",
-          "the strain that materials take, and the sources of these figures",
+          "strain that materials take, and the sources of these figures",
           "[NAME|FILE]",
           "Lists how far each material that --material knows can be stretched and compressed, on "
           "99 % of the area and at most, as fractions of the length on the form. For one material, "

@@ -32,7 +32,7 @@ std::vector<Flag> cut_flags() {
   Flag cut = {"--cut", "LINES",
               "cut the surface along lines first: a drawing (.obj, or a pattern .svg), a list of "
               "vertices, \"plane x=0\", \"line 0,0,1 0,2,1\", rings, \"creases 30deg\", uv, "
-              "groups, open (a short cut that makes one disk) or auto (panels); may be repeated"};
+              "groups, open or auto (panels); may be repeated"};
   cut.accepts.repeats = true;
   cut.accepts.type = ValueType::file;
   Flag along = {"--cut-along", "WHAT",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -95,15 +96,26 @@ void add_lines(RequestedLines& all, CutLinesOnPatch read, const std::string& nam
   }
 }
 
+/// "; the mesh lies between y=-3.2 and y=10.4", in units of the file.
+std::string extent_along(const Patch& patch, const Plane& plane, const Arguments& arguments) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec3& p : as_in_file(patch.mesh(), arguments).positions) {
+    low = std::min(low, dot(plane.normal, p));
+    high = std::max(high, dot(plane.normal, p));
+  }
+  const std::string axis = plane.normal.x != 0.0 ? "x=" : plane.normal.y != 0.0 ? "y=" : "z=";
+  return "; the mesh lies between " + axis + digits(low, 4) + " and " + axis + digits(high, 4);
+}
+
 void add_section(RequestedLines& all, const Patch& patch, const LineWords& asked,
                  const Arguments& arguments) {
-  auto lines = plane_section(
-      patch,
-      axis_plane("--cut", "plane ", asked.words.size() == 2 ? asked.words[1] : "", arguments),
-      k_on_plane * bounding_box_diagonal(patch.mesh()));
+  const auto plane =
+      axis_plane("--cut", "plane ", asked.words.size() == 2 ? asked.words[1] : "", arguments);
+  auto lines = plane_section(patch, plane, k_on_plane * bounding_box_diagonal(patch.mesh()));
   if (lines.empty()) {
-    throw Error(ErrorCode::misplaced_cut,
-                "--cut " + asked.value + ": the plane does not meet the mesh");
+    throw Error(ErrorCode::misplaced_cut, "--cut " + asked.value +
+                                              ": the plane does not meet the mesh" +
+                                              extent_along(patch, plane, arguments));
   }
   add(all, std::move(lines), asked.value);
 }

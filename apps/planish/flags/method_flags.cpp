@@ -155,7 +155,7 @@ std::vector<Flag> stopping_flags() {
   std::vector<Flag> flags = flags_of(Stopping{});
   for (Flag& flag : flags) {
     if (flag.name != "--sweeps") continue;
-    flag.doc = "largest number of sweeps (default: the usual number of the method)";
+    flag.doc = "largest number of sweeps (default: the method's own)";
     flag.accepts.standard.clear();
   }
   return flags;

@@ -96,6 +96,7 @@ FlagGroup nest_flags() {
             0,
             false,
             {.range = {.min = 0.0}, .standard = "0"}},
+           {"--nest-in-holes", "", "let small pieces lie in the holes of larger ones"},
            {"--folded-cloth", "",
             "the roll is folded along its length: pieces are cut in pairs, and halves with their "
             "fold on the fold of the cloth"},
@@ -151,7 +152,8 @@ const NestOptions& SheetSizes::of(const std::string& material) const {
 
 std::optional<SheetSizes> sheets_from(const Arguments& arguments) {
   if (!arguments.has("--sheet")) {
-    for (const char* flag : {"--nest-gap", "--nest-margin", "--folded-cloth", "--turn"}) {
+    for (const char* flag :
+         {"--nest-gap", "--nest-margin", "--nest-in-holes", "--folded-cloth", "--turn"}) {
       if (!arguments.has(flag)) continue;
       throw UsageError("flag " + std::string(flag) + " goes with --sheet only");
     }
@@ -165,6 +167,7 @@ std::optional<SheetSizes> sheets_from(const Arguments& arguments) {
   all.margin = length_or("--nest-margin", all.margin);
   all.turns = turns_from(arguments);
   all.folded = arguments.has("--folded-cloth");
+  all.in_holes = arguments.has("--nest-in-holes");
   SheetSizes sheets;
   for (const Field& field : arguments.fields("--sheet")) {
     const std::string text = field_text(field);

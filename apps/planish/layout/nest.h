@@ -38,7 +38,7 @@ struct NestRequest {
   PatternOutput output;
 };
 
-/// --sheet, --nest-gap, --nest-margin and --turn.
+/// --sheet and how pieces lie on it: gaps, margins, holes, folded cloth, turns.
 FlagGroup nest_flags();
 
 /// What the flags ask for; nothing without --sheet.

@@ -70,7 +70,7 @@ Flag names_flag(const std::string& name, const std::string& doc) {
 
 FlagGroup model_flags() {
   return {
-      "What is read of the input",
+      "What is read",
       {{"--divide",
         "KIND",
         "what makes a piece: objects (or groups, if the file has no objects), materials, or parts, "

@@ -30,11 +30,11 @@ constexpr const char* k_job_file = "job.json";
 
 /// Flags that do not change the results of a patch. Those of seams act through its notches and what
 /// is sewn, which are compared on their own.
-constexpr std::array<std::string_view, 16> k_idle_flags = {
-    "--output",      "--threads",        "--quiet",          "--json",
-    "--resume",      "--require-target", "--sheet",          "--nest-gap",
-    "--nest-margin", "--turn",           "--seam-tolerance", "--seam-notches",
-    "--product",     "--open",           "--piece",          "--folded-cloth"};
+constexpr std::array<std::string_view, 17> k_idle_flags = {
+    "--output",         "--threads",      "--quiet",    "--json",        "--resume",
+    "--require-target", "--sheet",        "--nest-gap", "--nest-margin", "--turn",
+    "--seam-tolerance", "--seam-notches", "--product",  "--open",        "--piece",
+    "--folded-cloth",   "--nest-in-holes"};
 
 template <class Value>
 void add_value(FnvHash& hash, const Value& value) {

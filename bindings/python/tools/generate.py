@@ -42,7 +42,7 @@ LEFT_OUT = {
     "picture": "directions and cuts are not drawn from Python",
     "apply": "result.vertices and result.faces",
     "list": "an unknown name says which there are",
-    **dict.fromkeys(["sheet", "nest_gap", "nest_margin", "turn"], "laying pieces on material is the program's"),
+    **dict.fromkeys(["sheet", "nest_gap", "nest_margin", "nest_in_holes", "folded_cloth", "turn"], "laying pieces on material is the program's"),
     "json": "figures are in result.figures",
     "quiet": "result.notes",
     "help": "help()",

@@ -23,7 +23,7 @@ std::string_view to_string(Turns turns);
 
 /// A piece to be cut from a sheet.
 struct NestPiece {
-  PieceOutline outline;  ///< what is cut, with its allowance; its holes may take other pieces
+  PieceOutline outline;  ///< what is cut, with its allowance
   int quantity = 1;      ///< how many; 0 leaves the piece out
   /// Degrees, counter-clockwise, that bring the grain along the length of the sheet.
   double angle = 0.0;
@@ -42,6 +42,7 @@ struct NestOptions {
   /// The cloth is folded along y = 0, where no margin is left; the width is that of the folded
   /// cloth.
   bool folded = false;
+  bool in_holes = false;      ///< pieces may lie in the holes of others, which are cut first
   Turns turns = Turns::half;  ///< of every piece that has none of its own
   /// Places along the length are multiples of it: finer is tighter and slower. 0: chosen by the
   /// sizes of the pieces.

@@ -63,6 +63,12 @@ std::vector<Polygon> turned(const PieceOutline& outline, double angle) {
   return loops;
 }
 
+/// Without lines around holes, which go clockwise.
+void fill_holes(std::vector<Polygon>& loops) {
+  const auto is_hole = [](const Polygon& loop) { return signed_area(loop) < 0.0; };
+  if (!std::all_of(loops.begin(), loops.end(), is_hole)) std::erase_if(loops, is_hole);
+}
+
 /// The length along the sheet of pieces that fill their boxes, with the gap.
 struct BoxLength {
   double length = 0.0, area = 0.0;  ///< of all copies
@@ -182,6 +188,7 @@ std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions
       for (Vec2& p : loop)
         p = p - box.low;
     }
+    if (!options.in_holes) fill_holes(loops);
     candidate.low = box.low;
     candidate.size = box.size();
     candidate.columns = column_spans(loops, step, 0.0);

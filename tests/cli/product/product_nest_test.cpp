@@ -245,6 +245,7 @@ TEST_F(ProductNest, LaysPairsOnFoldedCloth) {
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   const auto nesting = result.json()["nesting"];
   EXPECT_EQ(nesting["folded"], true);
+  EXPECT_EQ(nesting["in_holes"], false);
   EXPECT_EQ(nesting["sheet_width"], 500.0);
   EXPECT_EQ(nesting["placements"].size(), 3U) << "back twice, front once for a pair";
   EXPECT_THAT(result.err, HasSubstr("back: cut 2 copies from one layer of the folded cloth alone"));
@@ -256,6 +257,7 @@ TEST_F(ProductNest, RefusesFlagsThatMakeNoSense) {
   const auto exit_code = [](const Names& flags) { return lay_out("coat", flags).exit_code; };
   EXPECT_EQ(exit_code({"--turn", "none"}), k_exit_usage);
   EXPECT_EQ(exit_code({"--nest-gap", "3mm"}), k_exit_usage);
+  EXPECT_EQ(exit_code({"--nest-in-holes"}), k_exit_usage);
   EXPECT_EQ(exit_code({"--sheet", "wide"}), k_exit_usage);
   EXPECT_EQ(exit_code({"--sheet", "0"}), k_exit_usage);
   EXPECT_EQ(exit_code({"--sheet", "1mx"}), k_exit_usage);

@@ -187,8 +187,10 @@ TEST_F(ProductSeams, OfAJacketMeshedPanelByPanelAreFoundAndTheirNotchesMeet) {
     for (const nlohmann::json& side : seam["sides"]) {
       EXPECT_NEAR(side["length"], side["length_on_model"], 0.01);
       const std::string folder = "out/" + side["patch"].get<std::string>();
+      const std::string one = seam["sides"][0]["patch"], other = seam["sides"][1]["patch"];
+      const std::string partner = one == other ? "" : ": " + (side["patch"] == one ? other : one);
       EXPECT_THAT(content_of(folder + "/pattern.dxf"),
-                  HasSubstr("\nseam " + seam["number"].dump() + "\n"));
+                  HasSubstr("\nseam " + seam["number"].dump() + partner + "\n"));
       const auto ways = notch_ways(folder, side);
       const double length = side["length"];
       ASSERT_GE(ways.size(), 2U);

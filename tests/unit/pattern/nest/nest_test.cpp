@@ -144,6 +144,7 @@ TEST(Nest, KeepsPiecesApartAndOnTheSheetInAnyTurns) {
     for (const double gap : {0.0, 0.7, 12.0}) {
       const auto pieces = ragged_pieces(9, 3 * static_cast<unsigned>(turns) + 1);
       NestOptions options{.width = 500.0, .gap = gap, .margin = gap, .turns = turns, .tries = 5};
+      options.in_holes = gap > 0.0;
       expect_sound(pieces, options, nest(pieces, options));
       options.length = 420.0;
       options.step = 7.0;
@@ -189,14 +190,17 @@ TEST(Nest, WastesNothingOnBoxesThatFit) {
   EXPECT_NEAR(turned.used_length, 900.0, 6.0);
 }
 
-TEST(Nest, FillsHolesOfOtherPieces) {
+TEST(Nest, FillsHolesOfOtherPiecesWhereAsked) {
   const std::vector<NestPiece> pieces = {
       nest_piece("frame", {{{0.0, 0.0}, {300.0, 0.0}, {300.0, 300.0}, {0.0, 300.0}},
                            {{50.0, 50.0}, {50.0, 250.0}, {250.0, 250.0}, {250.0, 50.0}}}),
       box_piece("inside", 180.0, 90.0, 2)};
-  const NestOptions options{.width = 300.0, .gap = 5.0};
+  const Nesting beside = nest(pieces, {.width = 300.0, .gap = 5.0});
+  EXPECT_GE(beside.used_length, 300.0 + 5.0 + 180.0);
+  const NestOptions options{.width = 300.0, .gap = 5.0, .in_holes = true};
   const Nesting nesting = nest(pieces, options);
   EXPECT_NEAR(nesting.used_length, 300.0, 1e-6);
+  EXPECT_NEAR(beside.piece_area, nesting.piece_area, 1e-6);
   EXPECT_NEAR(nesting.piece_area, 300.0 * 300.0 - 200.0 * 200.0 + 2 * 180.0 * 90.0, 1e-6);
   expect_sound(pieces, options, nesting);
 }

@@ -83,4 +83,6 @@ class Corpus:
             return None
         if len(triangles) < 4:
             return None
-        return meshes.region(positions, triangles, 2 * vertices, rng)
+        positions, triangles = meshes.region(positions, triangles, 2 * vertices, rng)
+        diagonal = float(meshes.norms(np.ptp(positions, axis=0)))
+        return rng.uniform(100.0, 1000.0) / max(diagonal, 1e-300) * positions, triangles

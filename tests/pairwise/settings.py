@@ -59,6 +59,7 @@ VALUES = {
     "--band": ["1"],
     "--enough": ["0.02"],
     "--max-updates": ["500"],
+    "--max-visits": ["20"],
     "--cg-steps": ["3"],
     "--tolerance": ["0.001"],
     "--rings": ["2"],

@@ -193,9 +193,21 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
         "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
 }
 
+/// Which steps of a local offset count.
+enum class OffsetStep {
+  guarded,    ///< those that lower the ring energy, shortened until they do
+  published,  ///< all, as printed: to the root of the tangent, clamped to the band
+};
+inline constexpr std::array k_offset_steps = {
+    std::pair{OffsetStep::guarded, std::string_view("guarded")},
+    std::pair{OffsetStep::published, std::string_view("published")}};
+constexpr const auto& names_of(OffsetStep) {
+  return k_offset_steps;
+}
+
 /// Local offsets after Wang and Tang 2004: always the inner vertex with the largest defect moves,
-/// along the normal that it had at first and no further than a band, so that its ring energy
-/// falls. Energy never rises. docs/methods/local_offset.md
+/// along the normal that it had at first and no further than a band, to make its ring energy
+/// small. With guarded steps energy never rises. docs/methods/local_offset.md
 struct LocalOffset {
   static constexpr std::string_view name = "local_offset";
   static constexpr int usual_sweeps = 200;
@@ -203,6 +215,8 @@ struct LocalOffset {
   double band = 0.0;
   double enough = 1e-2;
   int max_updates = 500'000;
+  OffsetStep step = OffsetStep::guarded;
+  int max_visits = 100;
 };
 
 template <class Visit>
@@ -214,6 +228,11 @@ void describe(LocalOffset& o, Visit&& visit) {
   visit("enough", o.enough, "a defect of at most this is left alone, in radians", Range{0.0});
   visit("max_updates", o.max_updates, "largest number of vertices tried, in all sweeps together",
         Range{0.0, 1e9});
+  visit("step", o.step, "which steps count; published: all, as printed, so that energy may rise");
+  visit("max_visits", o.max_visits,
+        "with published steps: a vertex that was tried this often is left alone, which ends the "
+        "printed loop",
+        Range{1.0, 1e9});
 }
 
 /// What a method that can move the border does with it.

@@ -171,7 +171,7 @@ struct FlattenableLaplacian {
   double fairness = 1.0;
   double position = 0.1;
   double tau = 0.25;
-  double damping = 1e-2;
+  double damping = 1e-9;
   int rebase_every = 0;
   double min_step = 1e-5;
 };
@@ -183,8 +183,8 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
         Range{1e-9, 1e6});
   visit("tau", o.tau, "share of each step that is taken", Range{1e-3, 1.0});
   visit("damping", o.damping,
-        "how soft the constraints are, in units of the matrix; as small as 1e-9 they are hard, as "
-        "printed, which few dense patches bear",
+        "how soft the constraints are at least, in units of the matrix; as small as 1e-9 they are "
+        "hard, as printed, and softer where e_max would rise",
         Range{1e-12, 1e3});
   visit("rebase_every", o.rebase_every,
         "number of steps after which the positions reached become those to stay at; 0: never",

@@ -66,6 +66,8 @@ VALUES = {
     "--inner-steps": ["3"],
     "--clearance": ["1mm"],
     "--pull": ["10"],
+    "--mu": ["-0.4"],
+    "--crease": ["30"],
     "--only": ["in"],
     "--weld": ["", "0.001mm"],
     "--fill-holes": ["1mm"],

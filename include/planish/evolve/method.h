@@ -299,15 +299,35 @@ void describe(LocalPerturbation& o, Visit&& visit) {
         "no vertex ends further than this from where it began, in model units", Range{0.0});
 }
 
-/// Bi-Laplacian fairing: all inner vertices at once to where the surface bends least, the border
-/// and the slant at it kept; again with the Laplacian of the surface found. Defects are not looked
-/// at: smooth surfaces have small ones. docs/methods/fairing.md
+/// What a sweep of fairing is: a solve, or a step of a flow.
+enum class FairingFlow {
+  none,         ///< to where the surface bends least, at once
+  taubin,       ///< the filter of Taubin 1995: a step along the umbrella vector and one against it
+  implicit,     ///< mean curvature flow, an implicit step (Desbrun and others 1999)
+  anisotropic,  ///< the same slower across creases (Clarenz, Diewald and Rumpf 2000)
+};
+inline constexpr std::array k_fairing_flows = {
+    std::pair{FairingFlow::none, std::string_view("none")},
+    std::pair{FairingFlow::taubin, std::string_view("taubin")},
+    std::pair{FairingFlow::implicit, std::string_view("implicit")},
+    std::pair{FairingFlow::anisotropic, std::string_view("anisotropic")}};
+constexpr const auto& names_of(FairingFlow) {
+  return k_fairing_flows;
+}
+
+/// Fairing: bi-Laplacian, all inner vertices at once to where the surface bends least, the border
+/// and the slant at it kept; again with the Laplacian of the surface found. Or a step of a flow.
+/// Defects are not looked at: smooth surfaces have small ones. docs/methods/fairing.md
 struct BilaplacianFairing {
   static constexpr std::string_view name = "fairing";
   static constexpr int usual_sweeps = 1;
   static constexpr bool honours_weights = true, honours_obstacle = false;
   double pull = 100.0;
   double min_step = 1e-4;
+  FairingFlow flow = FairingFlow::none;
+  double lambda = 0.33;
+  double mu = -0.34;
+  double crease = 20.0;
 };
 
 template <class Visit>
@@ -318,6 +338,15 @@ void describe(BilaplacianFairing& o, Visit&& visit) {
         Range{0.0, 1e9});
   visit("min_step", o.min_step,
         "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});
+  visit("flow", o.flow,
+        "what a sweep is: none: one solve to where the surface bends least; else a step of a flow");
+  visit("lambda", o.lambda, "of taubin: share of the umbrella vector in the smoothing step",
+        Range{0.0, 1.0});
+  visit("mu", o.mu, "of taubin: the same in the step back, negative", Range{-1.0, 0.0});
+  visit("crease", o.crease,
+        "of anisotropic: where normals turn by more than this along a mean edge, in degrees, it is "
+        "a crease",
+        Range{0.1, 180.0});
 }
 
 /// Strain, rms, as a share of length, that nobody can measure on cloth, leather or plate: where

@@ -187,7 +187,7 @@ TEST(Patches, LeastNormReachesWhatAStudyReachedInFiftySteps) {
   }
 }
 
-TEST(Patches, FlattenableLaplacianStaysSmootherThanLeastNormAndIsSlower) {
+TEST(Patches, SoftFlattenableLaplacianStaysSmootherThanLeastNormAndIsSlower) {
   for (const PatchFacts& facts : patches()) {
     const auto is = [&](const char* name) { return facts.name == name; };
     if (!is("mhf_knee_1k.obj") && !is("car_bonnet_4k.obj") && !is("gc_front_4k.obj")) continue;
@@ -196,7 +196,8 @@ TEST(Patches, FlattenableLaplacianStaysSmootherThanLeastNormAndIsSlower) {
     const auto after = [&](const Method& method) {
       return measure(patch.with_positions(evolve(patch, method, {.max_sweeps = 50}).positions));
     };
-    const Flattenability fair = after(FlattenableLaplacian{}), least = after(LeastNorm{});
+    const Flattenability fair = after(FlattenableLaplacian{.damping = 1e-2});
+    const Flattenability least = after(LeastNorm{});
     EXPECT_LT(fair.roughness, least.roughness) << facts.name;
     EXPECT_LT(fair.energy, 0.5 * measure(patch).energy) << facts.name;
     EXPECT_GT(fair.energy, least.energy) << facts.name;

@@ -2,6 +2,7 @@
 
 // One smooth surface at any density: the same formula over equilateral triangles of any size.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -57,6 +58,33 @@ inline TriMesh bent_cone(std::size_t cells) {
     const double from_tip = 1.0 + v, turn = 1.2 * u / 1.5 / 0.5;
     return Vec3{0.5 * from_tip * std::sin(turn), std::sqrt(0.75) * from_tip,
                 0.5 * from_tip * std::cos(turn)};
+  });
+}
+
+/// The tangents of a helix, from 0.6 to 1.6 off it.
+inline TriMesh bent_tangents(std::size_t cells) {
+  return bent_sheet(cells, [](double u, double v) {
+    const double turn = 1.5 * u, along = (0.6 + v) / std::numbers::sqrt2;
+    return Vec3{std::cos(turn) - along * std::sin(turn), std::sin(turn) + along * std::cos(turn),
+                turn + along};
+  });
+}
+
+/// A cylinder over a wave.
+inline TriMesh bent_wave(std::size_t cells) {
+  return bent_sheet(cells, [](double u, double v) { return Vec3{u, v, 0.12 * std::sin(5.0 * u)}; });
+}
+
+/// Like the upper of a shoe: an arch around v whose height falls at the instep, and which ends in
+/// a round toe at u = 1.
+inline TriMesh shoe_upper(std::size_t cells) {
+  return bent_sheet(cells, [](double u, double v) {
+    const double around = 1.15 * std::numbers::pi * (v / 0.9 - 0.48);
+    const double width = 0.34 + 0.06 * std::cos(5.0 * u);
+    const double height = 0.55 - 0.28 / (1.0 + std::exp(-12.0 * (u - 0.4)));
+    const double to_toe = std::min(std::max(0.0, u - 0.5) / 0.53, 0.95);
+    const double toe = std::sqrt(1.0 - to_toe * to_toe);
+    return Vec3{1.1 * u, width * toe * std::sin(around), height * toe * std::cos(around)};
   });
 }
 

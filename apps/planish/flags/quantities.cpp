@@ -83,7 +83,7 @@ Quantity quantity_of(std::string_view option) {
                                                           "switch_fall", "enough"};
   if (std::find(in_radians.begin(), in_radians.end(), option) != in_radians.end())
     return Quantity::radians;
-  return option == "min_angle" ? Quantity::angle : Quantity::number;
+  return option == "min_angle" || option == "crease" ? Quantity::angle : Quantity::number;
 }
 
 ValueType type_of(Quantity quantity) {

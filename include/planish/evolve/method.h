@@ -179,7 +179,7 @@ struct FlattenableLaplacian {
   double fairness = 1.0;
   double position = 0.1;
   double tau = 0.25;
-  double damping = 1e-2;
+  double damping = 1e-9;
   int rebase_every = 0;
   double min_step = 1e-5;
 };
@@ -190,10 +190,11 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
   visit("position", o.position, "w2, the weight of staying at the first positions",
         Range{1e-9, 1e6});
   visit("tau", o.tau, "fraction of each step that is taken", Range{1e-3, 1.0});
-  visit("damping", o.damping,
-        "softness of the constraints, relative to the matrix; 1e-9 makes them hard, as printed in "
-        "the paper, which fails on most dense patches",
-        Range{1e-12, 1e3});
+  visit(
+      "damping", o.damping,
+      "least softness of the constraints, relative to the matrix; 1e-9 makes them hard, as printed "
+      "in the paper; they get softer where e_max would rise",
+      Range{1e-12, 1e3});
   visit("rebase_every", o.rebase_every,
         "after this number of steps the present positions become those to stay near; 0: never",
         Range{0.0, 1e9});
@@ -202,9 +203,21 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
         Range{0.0, 1.0});
 }
 
+/// Which steps of a local offset count.
+enum class OffsetStep {
+  guarded,    ///< those that lower the ring energy, shortened until they do
+  published,  ///< all, as printed: to the root of the tangent, clamped to the band
+};
+inline constexpr std::array k_offset_steps = {
+    std::pair{OffsetStep::guarded, std::string_view("guarded")},
+    std::pair{OffsetStep::published, std::string_view("published")}};
+constexpr const auto& names_of(OffsetStep) {
+  return k_offset_steps;
+}
+
 /// Local offsets after Wang and Tang 2004: always the inner vertex with the largest defect moves,
-/// along the normal that it had at first and no further than a band, so that its ring energy
-/// falls. Energy never rises. docs/methods/local_offset.md
+/// along the normal that it had at first and no further than a band, to make its ring energy
+/// small. With guarded steps energy never rises. docs/methods/local_offset.md
 struct LocalOffset {
   static constexpr std::string_view name = "local_offset";
   static constexpr int usual_sweeps = 200;
@@ -212,6 +225,8 @@ struct LocalOffset {
   double band = 0.0;
   double enough = 1e-2;
   int max_updates = 500'000;
+  OffsetStep step = OffsetStep::guarded;
+  int max_visits = 100;
 };
 
 template <class Visit>
@@ -223,6 +238,13 @@ void describe(LocalOffset& o, Visit&& visit) {
   visit("enough", o.enough, "defects of at most this are left as they are, in radians", Range{0.0});
   visit("max_updates", o.max_updates, "largest number of vertices tried, over all sweeps",
         Range{0.0, 1e9});
+  visit("step", o.step,
+        "which steps count: guarded: those that lower the energy; published: all, as printed, so "
+        "that "
+        "energy may rise");
+  visit("max_visits", o.max_visits,
+        "with published steps: largest number of visits of a vertex, which ends the printed loop",
+        Range{1.0, 1e9});
 }
 
 /// What a method that can move the border does with it.
@@ -290,15 +312,35 @@ void describe(LocalPerturbation& o, Visit&& visit) {
         Range{0.0});
 }
 
-/// Bi-Laplacian fairing: all inner vertices at once to where the surface bends least, the border
-/// and the slant at it kept; again with the Laplacian of the surface found. Defects are not looked
-/// at: smooth surfaces have small ones. docs/methods/fairing.md
+/// What a sweep of fairing is: a solve, or a step of a flow.
+enum class FairingFlow {
+  none,         ///< to where the surface bends least, at once
+  taubin,       ///< the filter of Taubin 1995: a step along the umbrella vector and one against it
+  implicit,     ///< mean curvature flow, an implicit step (Desbrun and others 1999)
+  anisotropic,  ///< the same slower across creases (Clarenz, Diewald and Rumpf 2000)
+};
+inline constexpr std::array k_fairing_flows = {
+    std::pair{FairingFlow::none, std::string_view("none")},
+    std::pair{FairingFlow::taubin, std::string_view("taubin")},
+    std::pair{FairingFlow::implicit, std::string_view("implicit")},
+    std::pair{FairingFlow::anisotropic, std::string_view("anisotropic")}};
+constexpr const auto& names_of(FairingFlow) {
+  return k_fairing_flows;
+}
+
+/// Fairing: bi-Laplacian, all inner vertices at once to where the surface bends least, the border
+/// and the slant at it kept; again with the Laplacian of the surface found. Or a step of a flow.
+/// Defects are not looked at: smooth surfaces have small ones. docs/methods/fairing.md
 struct BilaplacianFairing {
   static constexpr std::string_view name = "fairing";
   static constexpr int usual_sweeps = 1;
   static constexpr bool honours_weights = true, honours_obstacle = false;
   double pull = 100.0;
   double min_step = 1e-4;
+  FairingFlow flow = FairingFlow::none;
+  double lambda = 0.33;
+  double mu = -0.34;
+  double crease = 20.0;
 };
 
 template <class Visit>
@@ -310,6 +352,18 @@ void describe(BilaplacianFairing& o, Visit&& visit) {
   visit("min_step", o.min_step,
         "converged when the rms step is below this fraction of the mean edge length",
         Range{0.0, 1.0});
+  visit("flow", o.flow,
+        "what a sweep does: none: one solve for the surface that bends least; else one step of a "
+        "flow");
+  visit("lambda", o.lambda,
+        "with flow taubin: fraction of the umbrella vector in the smoothing step", Range{0.0, 1.0});
+  visit("mu", o.mu, "with flow taubin: fraction of the umbrella vector in the step back, below 0",
+        Range{-1.0, 0.0});
+  visit(
+      "crease", o.crease,
+      "with flow anisotropic: a crease is where normals turn by more than this along a mean edge, "
+      "in degrees",
+      Range{0.1, 180.0});
 }
 
 /// Strain, rms, as a share of length, that nobody can measure on cloth, leather or plate: where

@@ -1,5 +1,6 @@
 // Flattenable Laplacian mesh: C. C. L. Wang, "Towards flattenable mesh surfaces", Computer-Aided
-// Design 40 (2008), with a symmetric matrix. Equations in docs/methods/flattenable_laplacian.md.
+// Design 40 (2008), with a symmetric matrix, and constraints that get softer where e_max would
+// rise. Equations in docs/methods/flattenable_laplacian.md.
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,17 @@
 namespace planish {
 
 namespace {
+
+/// Where e_max would rise, the constraints are made softer by this factor, up to the softest; where
+/// it fell, harder again.
+constexpr double k_softer = 10.0, k_softest = 0.1;
+
+/// With the softest constraints the step is halved this often instead.
+constexpr int k_shorter = 6;
+
+/// Up to here e_max may rise if it began higher, in radians: what is flattenable is left to slide
+/// along the constraints.
+constexpr double k_closed = 1e-4;
 
 /// Rows of the printed matrix times |N(p)| over the mean valence, which makes it symmetric.
 SparseMatrix hessian_of(const FlattenableLaplacian& options, const PatchState& state,
@@ -70,22 +82,44 @@ class FlattenableStepper {
   }
 
   SweepOutcome step() {
-    state_.measure(pool_);
+    const double e_max = state_.measure(pool_).e_max;
+    if (steps_ == 0) allowed_ = std::min(e_max, k_closed);
     jacobian_.update(state_.positions(), pool_);
     if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
       base_ = inner_positions(state_);
     ++steps_;
-    if (!factor()) return {};
-    const Positions step = stopped(system_->solve(forces(), -inner_defects(state_), pool_));
-    const std::size_t moved =
-        set_positions(sum_of(inner_positions(state_), options_.tau, step), jacobian_, state_);
-    const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
-    return SweepOutcome(moved).ended_if(rms <= options_.min_step * mean_edge(jacobian_, state_));
+    const Positions before = inner_positions(state_), force = forces();
+    const Eigen::VectorXd closing = -inner_defects(state_);
+    const double most = std::max(e_max, allowed_);
+    for (double softness = softness_;; softness = std::min(k_softer * softness, k_softest)) {
+      const bool is_softest = softness >= k_softest;
+      if (const auto step = solved(force, closing, softness)) {
+        double share = options_.tau * clamp_of(*step);
+        for (int halving = 0; halving <= (is_softest ? k_shorter : 0); ++halving, share *= 0.5) {
+          const std::size_t moved = set_positions(sum_of(before, share, *step), jacobian_, state_);
+          if (!(state_.measure(pool_).e_max <= most)) continue;
+          softness_ = std::max(options_.damping, softness / k_softer);
+          return SweepOutcome(moved).ended_if(is_short(*step));
+        }
+      }
+      if (is_softest) break;
+    }
+    set_positions(before, jacobian_, state_);
+    return {};
   }
 
  private:
+  /// None where the system has no solution in numbers.
+  std::optional<Positions> solved(const Positions& force, const Eigen::VectorXd& closing,
+                                  double softness) {
+    if (!factor(softness)) return {};
+    Positions step = system_->solve(force, closing, pool_);
+    if (!std::isfinite(norm_of(step))) return {};
+    return step;
+  }
+
   /// Damping is a share of the mean of the squares of the Jacobian's rows.
-  bool factor() {
+  bool factor(double softness) {
     double squares = 0.0;
     for (Index v = 0; v < jacobian_.row_count(); ++v) {
       for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
@@ -100,7 +134,7 @@ class FlattenableStepper {
     for_entries_of(hessian_, [&](Index v, Index w, double value) {
       system_->add_scalar(v, w, *pair++, 1.0, value);
     });
-    return system_->factor(identity_, options_.damping * mean, pool_);
+    return system_->factor(identity_, softness * mean, pool_);
   }
 
   /// Minus the gradient of what is made small: towards the mean of the ring and towards the base.
@@ -118,14 +152,18 @@ class FlattenableStepper {
     return forces;
   }
 
-  /// No vertex by more than the mean length of its edges: where A is nearly singular it would fly
-  /// off.
-  Positions stopped(Positions step) const {
-    for (Index v = 0; v < step.size(); ++v) {
-      const double length = norm(step[v]), most = edges_at(v, jacobian_, state_).mean;
-      if (length > most) step[v] = (most / length) * step[v];
-    }
-    return step;
+  /// The share of a step that moves no vertex by more than the mean length of its edges: where A is
+  /// nearly singular it would fly off. All of it is scaled, as the constraints hold for it whole.
+  double clamp_of(const Positions& step) const {
+    double share = 1.0;
+    for (Index v = 0; v < step.size(); ++v)
+      share = std::min(share, edges_at(v, jacobian_, state_).mean / norm(step[v]));
+    return share;
+  }
+
+  bool is_short(const Positions& step) const {
+    const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
+    return rms <= options_.min_step * mean_edge(jacobian_, state_);
   }
 
   FlattenableLaplacian options_;
@@ -138,6 +176,8 @@ class FlattenableStepper {
   std::vector<BlockMatrix::Pair> pairs_;  // of the entries of the hessian
   Positions base_;
   int steps_ = 0;
+  double softness_ = options_.damping;
+  double allowed_ = 0.0;  // e_max up to which it may rise
 };
 
 }  // namespace

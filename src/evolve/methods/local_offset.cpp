@@ -1,5 +1,5 @@
-// Local optimisation of Wang and Tang 2004 with the corrections of docs/methods/local_offset.md:
-// the worst vertex moves along its first normal, within a band, where its ring energy falls.
+// Local optimisation of Wang and Tang 2004, as printed or with the corrections of
+// docs/methods/local_offset.md: the worst vertex moves along its first normal, within a band.
 
 #include <algorithm>
 #include <array>
@@ -91,13 +91,14 @@ class OffsetMover {
         offsets_(state.inner_count(), 0.0),
         defects_(state.inner_count(), 0.0),
         set_aside_(state.inner_count(), 0),
+        visits_(state.inner_count(), 0),
         left_(options.max_updates) {
     for (Index v = 0; v < state.inner_count(); ++v) {
       const Vec3 x = state.position(v);
       lines_.push_back({x, normal_of(state, x, rings_[v])});
       set_aside_[v] = state.is_fixed(v);
     }
-    if (MoveCheck::is_wanted()) check_.emplace(state);
+    if (MoveCheck::is_wanted() && is_guarded()) check_.emplace(state);
   }
 
   /// As many tries as there are inner vertices.
@@ -118,10 +119,13 @@ class OffsetMover {
     std::vector<double> defects;
   };
 
+  bool is_guarded() const { return options_.step == OffsetStep::guarded; }
   bool is_enough(Index v) const { return std::abs(defects_[v]) <= options_.enough; }
   void push(Index v) { heap_.push({std::abs(defects_[v]), v, state_.vertex_of(v)}); }
   std::optional<Index> pop();
   std::optional<Step> falling_step(Index v) const;
+  std::optional<Step> published_step(Index v) const;
+  std::optional<Step> next_step(Index v);
   void take(Index v, const Step& step);
   void wake_around(Index v);
   void set_aside(Index v);
@@ -133,6 +137,7 @@ class OffsetMover {
   std::vector<OffsetLine> lines_;
   std::vector<double> offsets_, defects_;
   std::vector<unsigned char> set_aside_;
+  std::vector<int> visits_;  // with published steps
   std::priority_queue<Candidate> heap_;
   int left_;
   std::optional<MoveCheck> check_;  // in builds that check every move
@@ -172,6 +177,25 @@ std::optional<OffsetMover::Step> OffsetMover::falling_step(Index v) const {
   return {};
 }
 
+/// To where the tangent of T has its root, clamped; none where that is where the vertex is.
+std::optional<OffsetMover::Step> OffsetMover::published_step(Index v) const {
+  const RingEnergyAt energy(state_, v, rings_[v], defects_);
+  const Vec3 x = state_.position(v);
+  const StarSample now = energy.along(x, lines_[v].normal);
+  const double step = -now.value / now.slope;
+  if (!std::isfinite(step)) return {};
+  const double offset = std::clamp(offsets_[v] + step, -radius_, radius_);
+  const Vec3 place = place_on(lines_[v], offset, radius_);
+  if (place == x || !std::isfinite(energy.value(place))) return {};
+  return Step{offset, place, energy.defects(place)};
+}
+
+std::optional<OffsetMover::Step> OffsetMover::next_step(Index v) {
+  if (is_guarded()) return falling_step(v);
+  ++visits_[v];
+  return published_step(v);
+}
+
 void OffsetMover::take(Index v, const Step& step) {
   const auto before = check_ ? check_->energy(v) : MoveCheck::Energy{};
   state_.move(v, step.place);
@@ -186,7 +210,8 @@ void OffsetMover::take(Index v, const Step& step) {
 void OffsetMover::wake_around(Index v) {
   const auto wake = [&](Index w) {
     if (state_.is_fixed(w)) return;
-    set_aside_[w] = 0;
+    set_aside_[w] = visits_[w] >= options_.max_visits;
+    if (set_aside_[w] != 0) return;
     if (!is_enough(w)) push(w);
   };
   wake(v);
@@ -199,10 +224,11 @@ void OffsetMover::wake_around(Index v) {
   }
 }
 
-/// The vertex found no step. Its neighbours may, as their ring energies hold its defect.
+/// The vertex found no step. Its neighbours may, as their ring energies hold its defect; as printed
+/// they are not tried.
 void OffsetMover::set_aside(Index v) {
   set_aside_[v] = 1;
-  if (is_enough(v)) return;
+  if (is_enough(v) || !is_guarded()) return;
   for (const Index j : rings_[v]) {
     if (state_.is_inner(j) && set_aside_[j] == 0 && is_enough(j)) push(j);
   }
@@ -219,7 +245,7 @@ SweepOutcome OffsetMover::sweep() {
   for (std::size_t tries = 0; tries < defects_.size() && left_ > 0; ++tries, --left_) {
     const std::optional<Index> v = pop();
     if (!v) break;
-    if (const auto step = falling_step(*v)) {
+    if (const auto step = next_step(*v)) {
       take(*v, *step);
       wake_around(*v);
       moved[*v] = 1;

@@ -56,6 +56,8 @@ def evolve(
     band: Optional[float] = None,
     enough: Optional[float] = None,
     max_updates: Optional[int] = None,
+    step: Optional[Literal["guarded", "published"]] = None,
+    max_visits: Optional[int] = None,
     cg_steps: Optional[int] = None,
     tolerance: Optional[float] = None,
     border: Optional[Amount | Literal["fixed", "linked"]] = None,
@@ -63,6 +65,9 @@ def evolve(
     inner_steps: Optional[int] = None,
     clearance: Optional[Amount] = None,
     pull: Optional[float] = None,
+    flow: Optional[Literal["none", "taubin", "implicit", "anisotropic"]] = None,
+    mu: Optional[float] = None,
+    crease: Optional[Amount] = None,
     max_strain: Optional[Amount] = None,
     material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
@@ -109,7 +114,8 @@ def evolve(
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
         solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
-        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
+        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or of taubin: share of
+            the umbrella vector in the smoothing step (0 to 1, default 0.33)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
             cotangent)
@@ -117,8 +123,8 @@ def evolve(
         switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
         switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
         damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
-            to 1000, default 0); or how soft the constraints are, in units of the matrix; as small as 1e-9 they are
-            hard, as printed, which few dense patches bear (1e-12 to 1000, default 0.01)
+            to 1000, default 0); or how soft the constraints are at least, in units of the matrix; as small as 1e-9
+            they are hard, as printed, and softer where e_max would rise (1e-12 to 1000, default 1e-09)
         border_weight: weight of moves of vertices next to the border; 10 keeps the patch's slant there (0.001 to
             1000, default 1)
         max_step: a direct step moves no vertex by more of its shortest edge (1e-06 to 10, default 0.5)
@@ -136,6 +142,10 @@ def evolve(
         enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
             method is done, in radians (at least 0, default 0.001)
         max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
+        step: which steps count; published: all, as printed, so that energy may rise (guarded or published, default
+            guarded)
+        max_visits: with published steps: a vertex that was tried this often is left alone, which ends the printed
+            loop (at least 1, default 100)
         cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
         tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
             first (0 to 1, default 1e-04)
@@ -148,6 +158,11 @@ def evolve(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
+        flow: what a sweep is: none: one solve to where the surface bends least; else a step of a flow (none, taubin,
+            implicit or anisotropic, default none)
+        mu: of taubin: the same in the step back, negative (-1 to 0, default -0.34)
+        crease: of anisotropic: where normals turn by more than this along a mean edge, in degrees, it is a crease (5
+            or 5deg; 0.1 to 180, default 20)
         max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
             as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
@@ -211,6 +226,8 @@ def evolve_sweeps(
     band: Optional[float] = None,
     enough: Optional[float] = None,
     max_updates: Optional[int] = None,
+    step: Optional[Literal["guarded", "published"]] = None,
+    max_visits: Optional[int] = None,
     cg_steps: Optional[int] = None,
     tolerance: Optional[float] = None,
     border: Optional[Amount | Literal["fixed", "linked"]] = None,
@@ -218,6 +235,9 @@ def evolve_sweeps(
     inner_steps: Optional[int] = None,
     clearance: Optional[Amount] = None,
     pull: Optional[float] = None,
+    flow: Optional[Literal["none", "taubin", "implicit", "anisotropic"]] = None,
+    mu: Optional[float] = None,
+    crease: Optional[Amount] = None,
     max_strain: Optional[Amount] = None,
     material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
@@ -261,7 +281,8 @@ def evolve_sweeps(
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
         solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
-        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
+        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or of taubin: share of
+            the umbrella vector in the smoothing step (0 to 1, default 0.33)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
             cotangent)
@@ -269,8 +290,8 @@ def evolve_sweeps(
         switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
         switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
         damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
-            to 1000, default 0); or how soft the constraints are, in units of the matrix; as small as 1e-9 they are
-            hard, as printed, which few dense patches bear (1e-12 to 1000, default 0.01)
+            to 1000, default 0); or how soft the constraints are at least, in units of the matrix; as small as 1e-9
+            they are hard, as printed, and softer where e_max would rise (1e-12 to 1000, default 1e-09)
         border_weight: weight of moves of vertices next to the border; 10 keeps the patch's slant there (0.001 to
             1000, default 1)
         max_step: a direct step moves no vertex by more of its shortest edge (1e-06 to 10, default 0.5)
@@ -288,6 +309,10 @@ def evolve_sweeps(
         enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
             method is done, in radians (at least 0, default 0.001)
         max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
+        step: which steps count; published: all, as printed, so that energy may rise (guarded or published, default
+            guarded)
+        max_visits: with published steps: a vertex that was tried this often is left alone, which ends the printed
+            loop (at least 1, default 100)
         cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
         tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
             first (0 to 1, default 1e-04)
@@ -300,6 +325,11 @@ def evolve_sweeps(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
+        flow: what a sweep is: none: one solve to where the surface bends least; else a step of a flow (none, taubin,
+            implicit or anisotropic, default none)
+        mu: of taubin: the same in the step back, negative (-1 to 0, default -0.34)
+        crease: of anisotropic: where normals turn by more than this along a mean edge, in degrees, it is a crease (5
+            or 5deg; 0.1 to 180, default 20)
         max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
             as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,

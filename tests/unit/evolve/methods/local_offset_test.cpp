@@ -3,10 +3,12 @@
 #include <limits>
 
 #include <planish/evolve/evolve.h>
+#include <planish/measure/fairness.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
+#include "support/bent_sheets.h"
 #include "support/evolved.h"
 #include "support/meshes.h"
 
@@ -122,6 +124,69 @@ TEST(LocalOffset, BringsEveryDefectToAHundredthWhereTheBandHasRoom) {
     const auto result = evolve(Patch(mesh), LocalOffset{}, k_to_the_end);
     EXPECT_EQ(result.stop, StopReason::converged);
     EXPECT_LE(e_max_of(mesh, result.positions), 1e-2);
+  }
+}
+
+constexpr LocalOffset published(double band) {
+  return {.band = band, .step = OffsetStep::published};
+}
+
+TEST(LocalOffset, WithPublishedStepsGetsFlatterAndRougherTheWiderTheBand) {
+  // Fig. 9 of the paper: a shoe with four bands. Here 0.2, 0.4 and 0.8 of the mean edge.
+  const TriMesh mesh = meshes::shoe_upper(24);
+  struct Figures {
+    double e_max, strain, bending;
+  };
+  const auto figures = [&](const std::vector<Vec3>& positions) {
+    return Figures{e_max_of(mesh, positions), auto_runs::rms_strain(mesh, positions),
+                   measure_bending(Patch({positions, mesh.triangles})).bending};
+  };
+  const auto after = [&](const LocalOffset& method) {
+    return figures(evolve(Patch(mesh), method, k_to_the_end).positions);
+  };
+  EXPECT_GT(figures(mesh.positions).strain, 0.02);
+  const Figures narrow = after(published(0.01)), middle = after(published(0.02));
+  const Figures wide = after(published(0.04));
+  EXPECT_LT(middle.e_max, 0.5 * narrow.e_max);
+  EXPECT_LT(wide.e_max, 0.5 * narrow.e_max);
+  EXPECT_LT(middle.strain, 0.75 * narrow.strain);
+  EXPECT_LT(wide.strain, 0.9 * middle.strain);
+  EXPECT_GT(middle.bending, narrow.bending);
+  EXPECT_GT(wide.bending, middle.bending);
+  // Guarded steps stall with most of the strain, whatever the band.
+  EXPECT_GT(after({.band = 0.04}).strain, 0.8 * figures(mesh.positions).strain);
+}
+
+TEST(LocalOffset, TakesThePublishedStep) {
+  // One step of Newton's method for a root of T along the normal, T by differences.
+  const TriMesh mesh = meshes::fan(6, 0.3);
+  const auto energy = [&](double offset) {
+    std::vector<Vec3> positions = mesh.positions;
+    positions[0].z += offset;
+    return figures_of(mesh, positions).energy;
+  };
+  LocalOffset method = published(10.0);
+  method.max_updates = 1;
+  const auto after = evolve(Patch(mesh), method, {.max_sweeps = 1}).positions;
+  const double slope = (energy(1e-5) - energy(-1e-5)) / 2e-5;
+  EXPECT_NEAR(after[0].z - mesh.positions[0].z, -energy(0.0) / slope, 1e-8);
+}
+
+TEST(LocalOffset, WithPublishedStepsEndsWhereTheVisitsAreUsedUp) {
+  const TriMesh mesh = meshes::rough_grid(12, 12, 6, 0.2, 0.6);
+  for (const int visits : {1, 7}) {
+    LocalOffset method = published(0.1);
+    method.max_visits = visits;
+    const auto result = evolve(Patch(mesh), method, k_to_the_end);
+    EXPECT_EQ(result.stop, StopReason::stalled);
+    const std::size_t inner = Patch(mesh).inner_vertices().size();
+    EXPECT_LE(result.history.size(), static_cast<std::size_t>(visits) + 1);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      EXPECT_LE(norm(result.positions[v] - mesh.positions[v]), 0.1);
+    std::size_t moved = 0;
+    for (const SweepRecord& record : result.history)
+      moved += record.moved;
+    EXPECT_LE(moved, inner * static_cast<std::size_t>(visits));
   }
 }
 

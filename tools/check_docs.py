@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the docs say what is there: the examples in README.md are those of examples/,
+"""Checks that the docs say what is there: the examples in README.md and docs/research.md are those of examples/,
 every link to a file of the project leads to one and to a heading that it has, every code of an
 error has its paragraph, and docs/building.md has the packages that the scripts install."""
 
@@ -50,14 +50,16 @@ def link_faults(page):
                 yield f"{page.relative_to(REPO)}: no heading at {link}#{anchor}"
 
 
-def example_faults(readme):
-    """Whether README.md shows an example in each language, as it is in examples/ but for its first line."""
-    for ending, language in {"cpp": "C++", "py": "Python"}.items():
-        shown = re.search(rf"`(examples/[\w/]+\.{ending})`\):\n\n```\w+\n(.*?)```", readme, re.DOTALL)
+def example_faults(name, languages):
+    """Whether a page shows examples in these languages, each as it is in examples/ but for its first line."""
+    page = (REPO / name).read_text(encoding="utf-8")
+    shown = re.findall(r"`(examples/[\w/]+\.(\w+))`\):\n\n```\w+\n(.*?)```", page, re.DOTALL)
+    for language in sorted(languages - {ending for _, ending, _ in shown}):
+        yield f"{name}: there is no example in .{language}"
+    for path, _, text in shown:
         # The file's first line says what it is for.
-        example = (REPO / shown[1]).read_text(encoding="utf-8").split("\n", 1)[1] if shown else None
-        if example is None or example.strip() != shown[2].strip():
-            yield f"README.md: the example in {language} is not that of examples/"
+        if (REPO / path).read_text(encoding="utf-8").split("\n", 1)[1].strip() != text.strip():
+            yield f"{name}: the example is not that of {path}"
 
 
 def installed_packages(script):
@@ -104,8 +106,8 @@ def main():
     faults = error_faults()
     faults.extend(package_faults((REPO / "scripts/common.sh").read_text(encoding="utf-8"),
                                  (REPO / "docs/building.md").read_text(encoding="utf-8"), wanted_versions()))
-    readme = (REPO / "README.md").read_text(encoding="utf-8")
-    faults.extend(example_faults(readme))
+    for name in ("README.md", "docs/research.md"):
+        faults.extend(example_faults(name, {"cpp", "py"}))
     for page in PAGES:
         faults.extend(link_faults(page))
     for fault in faults:

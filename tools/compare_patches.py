@@ -8,7 +8,8 @@ docs/notebook.
 
 Patches above LARGE vertices get FEW_SWEEPS sweeps of every method but auto, as global methods on
 them take long; all others what each method usually takes. local_perturbation gets FEW_SWEEPS rounds
-everywhere, and is given up after PATIENCE seconds.
+everywhere, and is given up after PATIENCE seconds. A program from outside takes part with --with, as in
+`planish compare` (docs/research.md).
 """
 
 import argparse
@@ -42,16 +43,22 @@ def all_methods(planish):
     return [group["method"] for group in groups if group["method"]]
 
 
-def compared(planish, patch, vertices, method):
+def compared(planish, patch, vertices, method, programs):
     """What `planish compare` says of a patch; where the method failed it says why."""
+    if method in programs:
+        given = f"{method}={programs[method]}"
+        return compared_by(planish, patch, ["--methods", "none", "--with", given])
     few = method == SLOW or (vertices > LARGE and method != ENDS_BY_ITSELF)
     flags = ["--sweeps", str(FEW_SWEEPS)] if few else []
-    patience = PATIENCE if method == SLOW else None
     try:
-        words = ["compare", patch, "--threads", "1", "--methods", method, *flags]
-        answer = ask(planish, *words, patience=patience)
+        patience = PATIENCE if method == SLOW else None
+        return compared_by(planish, patch, ["--methods", method, *flags], patience)
     except subprocess.TimeoutExpired:
         return {"runs": [{"method": method, "error": {"message": f"given up after {PATIENCE} s"}}]}
+
+
+def compared_by(planish, patch, flags, patience=None):
+    answer = ask(planish, "compare", patch, "--threads", "1", *flags, patience=patience)
     if "runs" not in answer:
         raise SystemExit(f"{patch}: {answer['error']['message']}")
     return answer
@@ -64,7 +71,7 @@ def kept(place, make):
     return json.loads(place.read_text(encoding="utf-8"))
 
 
-def answer_of(planish, patch, methods, results):
+def answer_of(planish, patch, methods, results, programs):
     """The answers for all methods as one; the input as the first that has it says."""
     measured = kept(results / f"{patch.name}-input.json", lambda: ask(planish, "measure", patch))
     if "error" in measured:
@@ -72,7 +79,9 @@ def answer_of(planish, patch, methods, results):
     answers = [
         kept(
             results / f"{patch.name}-{method}.json",
-            lambda method=method: compared(planish, patch, measured["vertices"], method),
+            lambda method=method: compared(
+                planish, patch, measured["vertices"], method, programs
+            ),
         )
         for method in methods
     ]
@@ -120,6 +129,7 @@ def arguments():
     add("folder", metavar="FOLDER", type=pathlib.Path, help="of .obj and .ply files")
     add("results", metavar="RESULTS", type=pathlib.Path, help="folder to write into")
     add("--methods", metavar="LIST", help="names with commas (default: all methods)")
+    add("--with", action="append", default=[], dest="programs", metavar="NAME=COMMAND")
     add("--update-docs", action="store_true", help="write docs/notebook/comparison.* too")
     given = parser.parse_args()
     if comparison_tables.DOCS in [given.results.resolve(), *given.results.resolve().parents]:
@@ -129,6 +139,8 @@ def arguments():
     for method in given.methods:
         if method not in known:
             parser.error(f"unknown method {method}; known are {', '.join(known)}")
+    given.programs = dict(program.split("=", 1) for program in given.programs)
+    given.methods += given.programs
     return given
 
 
@@ -147,7 +159,7 @@ def main():
         raise SystemExit(f"{given.folder}: no .obj or .ply file in it")
     lines = []
     for patch in sorted(patches, key=lambda p: (p.stat().st_size, p.name)):
-        answer = answer_of(given.planish, patch, given.methods, given.results)
+        answer = answer_of(given.planish, patch, given.methods, given.results, given.programs)
         lines += map(rounded, rows(patch.stem, answer))
     table = given.results / "comparison.csv"
     write_table(table, lines)

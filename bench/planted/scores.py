@@ -28,7 +28,9 @@ def ask(planish, *arguments):
     except (subprocess.TimeoutExpired, json.JSONDecodeError) as error:
         raise Failed(type(error).__name__) from error
     if done.returncode not in (0, 3) or "error" in answer:
-        raise Failed(answer.get("error", {}).get("code", f"exit code {done.returncode}"))
+        of_runs = [run["error"] for run in answer.get("runs", []) if run["error"]]
+        failure = next(iter(of_runs), answer.get("error", {}))
+        raise Failed(failure.get("code", f"exit code {done.returncode}"))
     return answer
 
 

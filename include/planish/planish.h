@@ -19,6 +19,7 @@
 #include <planish/evolve/evolve.h>
 #include <planish/evolve/evolver.h>
 #include <planish/evolve/method.h>
+#include <planish/evolve/own_method.h>
 #include <planish/evolve/remesh.h>
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>

@@ -66,6 +66,8 @@ std::string_view to_string(ErrorCode code) {
       return "misplaced_cut";
     case ErrorCode::not_symmetric:
       return "not_symmetric";
+    case ErrorCode::method_failed:
+      return "method_failed";
     case ErrorCode::unfold_failed:
       return "unfold_failed";
     case ErrorCode::overlapping_outline:

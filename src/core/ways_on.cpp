@@ -80,6 +80,9 @@ std::string_view way_on(ErrorCode code) {
       return "Mend that --cut; planish panels finds where to cut";
     case ErrorCode::not_symmetric:
       return "Leave --symmetric out, or take one half for both: --symmetric PLANE --mirror-surface";
+    case ErrorCode::method_failed:
+      return "Mend the method, or its program; docs/research.md says what it is given and must "
+             "give";
     case ErrorCode::unfold_failed:
       return "Cut it with --cut FILE (planish suggest-cuts finds where), or mesh it anew with "
              "--remesh";

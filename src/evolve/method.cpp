@@ -10,7 +10,7 @@ namespace {
 /// Looks for the name among the alternatives from I on.
 template <std::size_t I = 0>
 Method find_method(std::string_view name, const std::string& known) {
-  if constexpr (I == std::variant_size_v<Method>) {
+  if constexpr (I == k_named_methods) {
     throw Error(ErrorCode::unknown_name,
                 "there is no method called \"" + std::string(name) + "\"; known are " + known);
   } else {
@@ -37,7 +37,7 @@ struct CheckRange {
 }  // namespace
 
 std::string_view name_of(const Method& method) {
-  return std::visit([](const auto& options) { return options.name; }, method);
+  return std::visit([](const auto& options) -> std::string_view { return options.name; }, method);
 }
 
 Method method_named(std::string_view name) {
@@ -45,6 +45,8 @@ Method method_named(std::string_view name) {
 }
 
 void check_options(const Method& method) {
+  if (const auto* own = std::get_if<OwnMethod>(&method); own && (own->name.empty() || !own->sweep))
+    throw Error(ErrorCode::option_out_of_range, "a method of one's own has a name and a sweep");
   std::visit([](auto options) { describe(options, CheckRange{}); }, method);
   if (const auto* options = std::get_if<Auto>(&method)) require(options->limits);
 }

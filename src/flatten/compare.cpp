@@ -1,5 +1,6 @@
 #include <utility>
 
+#include <planish/core/error.h>
 #include <planish/flatten/compare.h>
 
 #include "core/job.h"
@@ -18,6 +19,14 @@ std::vector<CompareRun> runs_of_all(std::index_sequence<I...>) {
                    usual_stopping(std::variant_alternative_t<I, Method>{})}),
    ...);
   return runs;
+}
+
+/// The failure that is being handled. What a method of one's own throws is no fault of the library.
+Failure failure_of(const Method& method) {
+  Failure failure = current_failure();
+  if (failure.code == "internal_error" && std::holds_alternative<OwnMethod>(method))
+    failure.code = to_string(ErrorCode::method_failed);
+  return failure;
 }
 
 /// Does the work of compare(), one part after the other.
@@ -58,7 +67,7 @@ class Comparison {
       compared.unfold = unfold_patch(report_.input.with_positions(evolved), options_.unit,
                                      k_least_stretch, unfolding);
     } catch (...) {
-      compared.failure = current_failure();
+      compared.failure = failure_of(run.method);
     }
   }
 
@@ -78,7 +87,7 @@ class Comparison {
 }  // namespace
 
 std::vector<CompareRun> runs_of_all_methods() {
-  return runs_of_all(std::make_index_sequence<std::variant_size_v<Method>>());
+  return runs_of_all(std::make_index_sequence<k_named_methods>());
 }
 
 CompareReport compare(const Patch& patch, std::string name, const std::vector<CompareRun>& runs,

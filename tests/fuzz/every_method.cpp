@@ -34,7 +34,7 @@ double deviation_limit(const Options& options) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  constexpr std::size_t count = std::variant_size_v<Method>;
+  constexpr std::size_t count = k_named_methods;
   Method method = method_numbered(bytes.whole(1, count - 1), std::make_index_sequence<count>());
   std::visit([&](auto& options) { describe(options, fuzz::OptionFiller{bytes}); }, method);
   const Stopping stopping{.max_sweeps = static_cast<int>(bytes.whole(0, 5))};

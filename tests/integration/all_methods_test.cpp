@@ -22,7 +22,7 @@ std::vector<Method> all_methods(std::index_sequence<I...>) {
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, AllMethods,
-    testing::ValuesIn(all_methods(std::make_index_sequence<std::variant_size_v<Method>>())),
+    testing::ValuesIn(all_methods(std::make_index_sequence<k_named_methods>())),
     [](const auto& test) { return std::string(name_of(test.param)); });
 
 bool all_finite(const std::vector<Vec3>& positions) {

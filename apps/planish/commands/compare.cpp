@@ -13,6 +13,7 @@
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "model/model_flags.h"
+#include "model/other_methods.h"
 #include "output/open_page.h"
 #include "platform/path.h"
 #include "report/json_parts.h"
@@ -82,9 +83,20 @@ std::string lines_of(const CompareReport& report) {
   return text;
 }
 
-void compare_into(WorkFile& file, const fs::path& place, const std::vector<CompareRun>& runs,
-                  const Arguments& arguments, Session& session) {
+/// The methods that --methods names, then what --with gives.
+std::vector<CompareRun> all_runs(const std::string& path, const Arguments& arguments,
+                                 Session& session) {
+  std::vector<CompareRun> runs;
+  if (!arguments.has("--with") || !asks_for_no_method(arguments)) runs = runs_from(arguments);
+  for (CompareRun& run : runs_with(path, arguments, session))
+    runs.push_back(std::move(run));
+  return runs;
+}
+
+void compare_into(WorkFile& file, const fs::path& place, const Arguments& arguments,
+                  Session& session) {
   const std::string& path = file.report.path;
+  const std::vector<CompareRun> runs = all_runs(path, arguments, session);
   Model input = read_piece(path, arguments, session);
   const CompareReport report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
@@ -105,7 +117,7 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
 CommandResult compare_several(const Arguments& all, Session& session) {
   const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(arguments, std::array{"--fix", "--weights", "--open"});
-  const std::vector<CompareRun> runs = runs_from(arguments);
+  all_runs({}, arguments, session);  // checks the request
   unit_from(arguments);
   const SeveralFiles job = {
       .columns = compared_columns(),
@@ -114,7 +126,7 @@ CommandResult compare_several(const Arguments& all, Session& session) {
       .missed_behind = {},
       .extension = [](const std::string&) { return std::string(); },
       .work = [&](WorkFile& file,
-                  const auto& place) { compare_into(file, place, runs, arguments, session); }};
+                  const auto& place) { compare_into(file, place, arguments, session); }};
   return run_several(job, arguments, session);
 }
 
@@ -122,7 +134,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return compare_several(arguments, session);
   // Check the request before any work.
   const std::string& path = arguments.operands.front();
-  const std::vector<CompareRun> runs = runs_from(arguments);
+  const std::vector<CompareRun> runs = all_runs(path, arguments, session);
   CompareOptions options = {.unit = unit_from(arguments)};
   const bool writes = arguments.has("--output");
   if (arguments.has("--open") && !writes)
@@ -165,7 +177,7 @@ Command compare_command() {
           "(compare.json) and the evolved meshes. A mesh that is no disk is compared without "
           "patterns. For several inputs, or all mesh files of a folder, prints one line for each "
           "file and method, and writes each input into a folder of its own below FOLDER. If one "
-          "fails the others go on, and the exit code is 1.",
+          "fails the others go on, and the exit code is 1. --with adds results of other programs.",
           {"INPUT"},
           {{"Output",
             {{"--output", "FOLDER", "where to write; without it no file is written", 'o'},
@@ -181,10 +193,12 @@ Command compare_command() {
               {.extensions = {"csv"}}}}},
            model_flags(),
            compare_flags(),
+           {"Results from outside", {with_flag()}},
            constraint_flags()},
           {"planish compare panel.obj",
            "planish compare panel.obj --methods controllable,classical -o compared",
-           "planish compare patches --csv figures.csv"},
+           "planish compare patches --csv figures.csv",
+           "planish compare panel.obj --methods auto --with \"mine=./mine {in} {out}\""},
           run_compare,
           false,
           true,

@@ -113,9 +113,9 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 
 }  // namespace
 
-EvolveRequest evolve_request_from(const Arguments& arguments) {
+EvolveRequest evolve_request_from(const Arguments& arguments, const Method& standard) {
   const Unit unit = unit_from(arguments);
-  const Method method = method_from(arguments, Method{});
+  const Method method = method_from(arguments, standard);
   refuse_unsupported_constraints(arguments, method);
   return {unit,
           method,

@@ -48,8 +48,9 @@ struct EvolveRequest {
   std::optional<Plane> symmetric_in = {};  ///< that of --symmetric, from the mesh
 };
 
+/// @param standard the method where the flags name none
 /// @throws UsageError, Error option_out_of_range
-EvolveRequest evolve_request_from(const Arguments& arguments);
+EvolveRequest evolve_request_from(const Arguments& arguments, const Method& standard = {});
 
 /// What `evolve` made of a patch.
 struct Evolved {

@@ -179,7 +179,7 @@ std::vector<MethodFlags> flags_of_methods(std::index_sequence<I...>) {
 }
 
 std::vector<MethodFlags> flags_of_methods() {
-  return flags_of_methods(std::make_index_sequence<std::variant_size_v<Method>>());
+  return flags_of_methods(std::make_index_sequence<k_named_methods>());
 }
 
 template <std::size_t... I>
@@ -221,7 +221,7 @@ void imply_preference(Auto& options, const Arguments& arguments) {
 }  // namespace
 
 std::vector<std::string> method_names() {
-  return method_names(std::make_index_sequence<std::variant_size_v<Method>>());
+  return method_names(std::make_index_sequence<k_named_methods>());
 }
 
 std::vector<FlagGroup> method_flags(const Method& standard) {
@@ -260,10 +260,10 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
 }
 
 Method method_from(const Arguments& arguments, const Method& standard) {
-  const std::string name = known_name(
-      "method", arguments.text("--method", std::string(name_of(standard))), method_names());
-  Method method = method_named(name);
-  refuse_flags_of_other_methods(name, arguments);
+  Method method = standard;
+  if (arguments.has("--method"))
+    method = method_named(known_name("method", arguments.text("--method"), method_names()));
+  refuse_flags_of_other_methods(std::string(name_of(method)), arguments);
   std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
   if (auto* options = std::get_if<Auto>(&method)) imply_preference(*options, arguments);
   return method;
@@ -301,14 +301,14 @@ double smooth_first_from(const Arguments& arguments) {
 }
 
 FlagGroup compare_flags() {
-  FlagGroup group = {
-      "How to evolve",
-      {{"--methods",
-        "NAMES",
-        "methods to run, separated by commas: " + list_of(method_names()) + " (default: all)",
-        0,
-        false,
-        {.choices = method_names()}}}};
+  FlagGroup group = {"How to evolve",
+                     {{"--methods",
+                       "NAMES",
+                       "methods to run, separated by commas: " + list_of(method_names()) +
+                           "; with --with also none (default: all)",
+                       0,
+                       false,
+                       {.choices = method_names()}}}};
   for (Flag& flag : stopping_flags())
     group.flags.push_back(std::move(flag));
   return group;
@@ -316,6 +316,10 @@ FlagGroup compare_flags() {
 
 bool asks_for_all_methods(const Arguments& arguments) {
   return same_word(arguments.text("--methods", k_all_methods), k_all_methods);
+}
+
+bool asks_for_no_method(const Arguments& arguments) {
+  return same_word(arguments.text("--methods"), "none");
 }
 
 std::vector<CompareRun> runs_from(const Arguments& arguments) {

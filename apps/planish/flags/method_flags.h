@@ -46,6 +46,9 @@ inline constexpr const char* k_all_methods = "all";
 /// Whether --methods says so, or is not there.
 bool asks_for_all_methods(const Arguments& arguments);
 
+/// Whether --methods says "none", as it may where others take part.
+bool asks_for_no_method(const Arguments& arguments);
+
 /// The methods that --methods names, in its order, or all; each with its usual stopping but for
 /// what the flags say.
 /// @throws UsageError for names that are unknown or come twice, bad values; Error

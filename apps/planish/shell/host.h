@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,15 @@ std::vector<std::string> command_words(int argc, char** argv);
 /// @param path absolute
 /// @return why it cannot be opened, for a note: "xdg-open is not installed"; empty where it can
 std::string open_document(const std::filesystem::path& path);
+
+/// Runs a program of the search path and waits for its end. It reads nothing, and what it prints
+/// goes to standard error. No shell takes part. On Windows there is none of this.
+/// @param words the program and what it is given, in UTF-8
+/// @param is_cancelled asked now and then; true ends the program and all that it started
+/// @return why there is no result, behind the program's name: "ended with code 3"; empty where it
+///   ended well
+std::string run_program(const std::vector<std::string>& words,
+                        const std::function<bool()>& is_cancelled);
 
 /// What `planish doctor` says of the system.
 SystemFacts system_facts();

@@ -1,13 +1,17 @@
-#include <array>
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/utsname.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
@@ -54,42 +58,66 @@ void keep_freed_memory() {
 
 constexpr const char* k_opener = "xdg-open";
 
-/// How a program is started that has nothing to do with this one: in a session of its own, with
-/// empty standard files and the usual signals.
-class Detached {
+/// A program that was started, or why it could not be.
+struct Started {
+  std::error_code fault;
+  pid_t id = 0;
+};
+
+/// How a program is started: with empty standard input and the usual signals.
+class Launch {
  public:
-  Detached() {
+  /// @param is_detached it has nothing to do with this one: a session of its own, and prints
+  ///   nowhere; else a group of processes of its own, and prints to standard error
+  explicit Launch(bool is_detached) {
     posix_spawn_file_actions_init(&files_);
-    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-      posix_spawn_file_actions_addopen(&files_, file, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDWR, 0);
+    if (is_detached) {
+      for (const int file : {STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&files_, file, "/dev/null", O_RDWR, 0);
+    } else {
+      posix_spawn_file_actions_adddup2(&files_, STDERR_FILENO, STDOUT_FILENO);
+    }
     posix_spawnattr_init(&attributes_);
     sigset_t usual;
     sigemptyset(&usual);
     for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ})
       sigaddset(&usual, signal);
     posix_spawnattr_setsigdefault(&attributes_, &usual);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
+    const int group = is_detached ? POSIX_SPAWN_SETSID : POSIX_SPAWN_SETPGROUP;
+    posix_spawnattr_setflags(&attributes_, static_cast<short>(POSIX_SPAWN_SETSIGDEF | group));
   }
-  ~Detached() {
+  ~Launch() {
     posix_spawnattr_destroy(&attributes_);
     posix_spawn_file_actions_destroy(&files_);
   }
-  Detached(const Detached&) = delete;
-  Detached& operator=(const Detached&) = delete;
+  Launch(const Launch&) = delete;
+  Launch& operator=(const Launch&) = delete;
 
-  /// Starts a program of the search path with one argument.
-  std::error_code start(std::string program, std::string argument) const {
-    const std::array<char*, 3> words = {program.data(), argument.data(), nullptr};
-    pid_t id = 0;
-    const int fault =
-        posix_spawnp(&id, program.c_str(), &files_, &attributes_, words.data(), environ);
-    return {fault, std::generic_category()};
+  /// Starts a program of the search path.
+  Started start(std::vector<std::string> words) const {
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    Started started;
+    const int fault = posix_spawnp(&started.id, pointers.front(), &files_, &attributes_,
+                                   pointers.data(), environ);
+    started.fault = {fault, std::generic_category()};
+    return started;
   }
 
  private:
   posix_spawn_file_actions_t files_ = {};
   posix_spawnattr_t attributes_ = {};
 };
+
+/// Why a program that ended so has no result; empty where it ended well.
+std::string fault_of_end(int status) {
+  if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
+  const int code = WEXITSTATUS(status);
+  return code == 0 ? "" : "ended with code " + std::to_string(code);
+}
 
 /// Where the search path has a program; empty where it has none.
 std::string found_program(const std::string& name) {
@@ -124,7 +152,8 @@ RunContext prepare_process() {
   return {.err_is_terminal = isatty(STDERR_FILENO) == 1,
           .interrupted = &interrupted,
           .open_document = open_document,
-          .system_facts = system_facts};
+          .system_facts = system_facts,
+          .run_program = run_program};
 }
 
 std::vector<std::string> command_words(int argc, char** argv) {
@@ -132,10 +161,33 @@ std::vector<std::string> command_words(int argc, char** argv) {
 }
 
 std::string open_document(const std::filesystem::path& path) {
-  const std::error_code fault = Detached().start(k_opener, path.string());
+  const std::error_code fault = Launch(true).start({k_opener, path.string()}).fault;
   if (fault == std::errc::no_such_file_or_directory)
     return std::string(k_opener) + " is not installed";
   return fault ? std::string(k_opener) + ": " + fault.message() : "";
+}
+
+std::string run_program(const std::vector<std::string>& words,
+                        const std::function<bool()>& is_cancelled) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto longest_pause = std::chrono::milliseconds(20);
+  constexpr auto patience = std::chrono::seconds(2);  // with a program that was asked to end
+  const Started started = Launch(false).start(words);
+  if (started.fault) return "cannot be started: " + started.fault.message();
+  std::optional<Clock::time_point> asked;
+  auto pause = std::chrono::milliseconds(1);
+  int status = 0;
+  while (waitpid(started.id, &status, WNOHANG) == 0) {
+    if (!asked && is_cancelled()) {
+      asked = Clock::now();
+      kill(-started.id, SIGTERM);
+    } else if (asked && Clock::now() > *asked + patience) {
+      kill(-started.id, SIGKILL);
+    }
+    std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, longest_pause);
+  }
+  return fault_of_end(status);
 }
 
 SystemFacts system_facts() {

@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <planish/core/context.h>
 
@@ -25,6 +26,8 @@ struct RunContext {
   /// Those of host.h; null where the program runs inside another process.
   std::string (*open_document)(const std::filesystem::path&) = nullptr;
   SystemFacts (*system_facts)() = nullptr;
+  std::string (*run_program)(const std::vector<std::string>& words,
+                             const std::function<bool()>& is_cancelled) = nullptr;
   /// Gets the progress of jobs that have a line of progress, from their thread; may be empty.
   std::function<void(const Progress&)> on_progress = {};
   std::istream* in = nullptr;  ///< standard input; null where there is none

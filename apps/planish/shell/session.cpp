@@ -128,6 +128,14 @@ SystemFacts Session::system_facts() const {
   return context_.system_facts == nullptr ? SystemFacts() : context_.system_facts();
 }
 
+std::string Session::run_program(const std::vector<std::string>& words) {
+  if (context_.run_program == nullptr) return "cannot be started: this program has no way to";
+  clear_progress();
+  std::string fault = context_.run_program(words, [this] { return interrupted(); });
+  stop_if_interrupted();
+  return fault;
+}
+
 void Session::write(const std::vector<OutputFile>& files, const std::filesystem::path& folder) {
   stop_if_interrupted();
   clear_progress();

@@ -49,6 +49,10 @@ class Session {
   /// fails: what the run was for is done by then.
   void open(const std::filesystem::path& page) noexcept;
   SystemFacts system_facts() const;
+  /// Runs another program, as host.h has it. What it prints goes where messages go.
+  /// @return why there is no result, empty where it ended well
+  /// @throws Cancelled
+  std::string run_program(const std::vector<std::string>& words);
   /// Null where there is none.
   std::istream* standard_input() const { return context_.in; }
   /// For a run inside this one: its messages go elsewhere, and it stops when this one is stopped.

@@ -16,6 +16,7 @@ from ._core import (
     PanelsResult,
     ProductResult,
     Sweep,
+    SweepInput,
     Sweeps,
     UnfoldResult,
 )
@@ -57,6 +58,7 @@ __all__ = [
     "ProductResult",
     "RequestError",
     "Sweep",
+    "SweepInput",
     "Sweeps",
     "UnfoldResult",
     "compare",

@@ -10,13 +10,13 @@ from . import _core, errors
 from ._meshes import as_mesh, text_of
 
 if TYPE_CHECKING:
-    from ._types import MeshLike, Path, Progress
+    from ._types import MeshLike, OwnMethod, Path, Progress
 
 Result = TypeVar("Result")
 
 # Keywords of files, which may also be given as rows.
 ROW_KEYWORDS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner_lines", "edge_allowances"}
-NOT_FLAGS = {"mesh", "faces", "name", "progress", "patches", "result", "path", "as_designed"}
+NOT_FLAGS = {"mesh", "faces", "name", "progress", "own", "patches", "result", "path", "as_designed"}
 NOT_FLAGS |= {"inputs", "out", "shard", "workers", "resume", "csv", "keep_failures"}
 
 
@@ -66,6 +66,23 @@ def typed(keywords: dict[str, Any], count: Optional[int] = None) -> dict[str, An
 def run(work: Callable[..., Result], mesh: _core.Mesh, keywords: dict[str, Any], *progress: Optional[Progress]) -> Result:
     """Runs the work of a verb on a mesh."""
     return work(mesh, typed(keywords, len(mesh.vertices)), *progress)
+
+
+def run_compare(
+    mesh: _core.Mesh,
+    own: Optional[Mapping[str, OwnMethod | MeshLike]],
+    keywords: dict[str, Any],
+    progress: Optional[Progress],
+) -> _core.CompareResult:
+    """Compares methods of the library and, by their names, functions and results of others."""
+
+    def of(value: Any) -> Any:
+        if callable(value):
+            return value
+        return as_mesh(value, mesh.faces) if hasattr(value, "ndim") else as_mesh(value)
+
+    others = None if own is None else {name: of(value) for name, value in own.items()}
+    return _core.compare(mesh, others, typed(keywords, len(mesh.vertices)), progress)
 
 
 def told_apart(names: list[str]) -> list[str]:

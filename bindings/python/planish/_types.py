@@ -40,5 +40,7 @@ if TYPE_CHECKING:
     Amount = Union[float, str]
     # A file, or its lines: each a text or the items of a line.
     Rows = Union[Path, Iterable[Any], Mapping[int, float]]
+    # Makes a sweep: returns the places of all vertices after it.
+    OwnMethod = Callable[[_core.SweepInput], ArrayLike]
     # Called with stage, share of the work from 0 to 1, and subject; False ends the work.
     Progress = Callable[[str, float, str], Optional[bool]]

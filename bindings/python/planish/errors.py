@@ -74,7 +74,8 @@ FAMILIES: dict[type[Error], str] = {
     MeshError: "non_finite_coordinate repeated_index duplicate_triangle zero_length_edge zero_area non_manifold_edge "
     "non_manifold_vertex inconsistent_orientation non_orientable closed_surface open_surface several_components "
     "several_border_loops handles no_inner_vertex unreferenced_vertex",
-    RequestError: "option_out_of_range unknown_name unsupported_constraint misplaced_cut not_symmetric usage",
+    RequestError: "option_out_of_range unknown_name unsupported_constraint misplaced_cut not_symmetric method_failed "
+    "usage",
     PatternError: "unfold_failed overlapping_outline allowance_too_wide misplaced_allowance misplaced_notch "
     "misplaced_mark no_grain_direction piece_too_large",
     Cancelled: "interrupted",

@@ -48,20 +48,6 @@ void check_shape(const py::array& array, const std::string& name, const std::str
   throw py::value_error(name + " must have the shape (n, 3), not " + shape_text(array) + advice);
 }
 
-std::vector<Vec3> positions_of(const py::object& object) {
-  const py::array array = py::module_::import("numpy").attr("asarray")(object);
-  const char kind = array.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw py::type_error("vertices must be numbers, not of type " + type_text(array));
-  check_shape(array, "vertices", "");
-  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>(array);
-  std::vector<Vec3> positions(static_cast<std::size_t>(array.shape(0)));
-  const auto at = numbers.unchecked<2>();
-  for (py::ssize_t v = 0; v < array.shape(0); ++v)
-    positions[static_cast<std::size_t>(v)] = {at(v, 0), at(v, 1), at(v, 2)};
-  return positions;
-}
-
 [[noreturn]] void refuse_index(py::ssize_t triangle, const std::string& index,
                                std::size_t vertices) {
   throw Error(ErrorCode::index_out_of_range,
@@ -137,6 +123,20 @@ Numbers array_of(std::vector<Vec2> points) {
 Numbers array_of(std::vector<double> values) {
   const auto [data, owner] = kept(std::move(values));
   return view_of(*data, owner);
+}
+
+std::vector<Vec3> positions_of(const py::object& object) {
+  const py::array array = py::module_::import("numpy").attr("asarray")(object);
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::type_error("vertices must be numbers, not of type " + type_text(array));
+  check_shape(array, "vertices", "");
+  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>(array);
+  std::vector<Vec3> positions(static_cast<std::size_t>(array.shape(0)));
+  const auto at = numbers.unchecked<2>();
+  for (py::ssize_t v = 0; v < array.shape(0); ++v)
+    positions[static_cast<std::size_t>(v)] = {at(v, 0), at(v, 1), at(v, 2)};
+  return positions;
 }
 
 TriMesh mesh_of(const py::object& vertices, const py::object& faces) {

@@ -62,6 +62,10 @@ Numbers array_of(std::vector<Vec2> points);
 /// The same of numbers, shape (n,).
 Numbers array_of(std::vector<double> values);
 
+/// Positions of an array of any numeric type, (n, 3), finite or not.
+/// @throws py::type_error, py::value_error for arrays of another type or shape
+std::vector<Vec3> positions_of(const py::object& object);
+
 /// A mesh of arrays in any order and of any numeric type: (n, 3) finite or not, and (m, 3) whole
 /// numbers from 0 to n - 1.
 /// @throws py::type_error, py::value_error for arrays of another type or shape; Error

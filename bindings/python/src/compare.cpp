@@ -15,7 +15,10 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "model/other_methods.h"
+#include "own_method.h"
 #include "pickle.h"
+#include "shell/failures.h"
 
 namespace planish::python {
 
@@ -33,13 +36,45 @@ struct ComparedResult {
   const ComparedMethod& method() const { return report->runs[number]; }
 };
 
-CompareResult compare_methods(const MeshData& data, const py::dict& keywords, py::object progress) {
+/// What is compared besides methods of the library, by its name: functions and results.
+std::vector<CompareRun> own_runs(const py::dict& own, const TriMesh& design,
+                                 const cli::Arguments& arguments, Job& job) {
+  std::vector<CompareRun> runs;
+  for (const auto& [key, value] : own) {
+    const auto name = key.cast<std::string>();
+    cli::check_other_name(name);
+    OwnMethod method;
+    if (py::isinstance<MeshData>(value)) {
+      if (arguments.has("--fix"))
+        throw cli::UsageError("fix does not go with a result from outside, as " + name);
+      const TriMesh result =
+          cli::scaled(value.cast<const MeshData&>().mesh, cli::scale_from(arguments), {});
+      method = result_as_method(name, cli::positions_over(design, result));
+      runs.push_back({method, usual_stopping(method)});
+    } else {
+      method = method_of(py::reinterpret_borrow<py::object>(value), job);
+      method.name = name;
+      runs.push_back({method, cli::stopping_from(arguments, method)});
+    }
+  }
+  return runs;
+}
+
+/// @param own None, or by name functions and meshes that are compared too
+CompareResult compare_methods(const MeshData& data, const py::object& own, const py::dict& keywords,
+                              py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "compare", keywords);
-  const std::vector<CompareRun> runs = cli::runs_from(arguments);
-  const double scale = cli::scale_from(arguments);
+  TriMesh design = cli::scaled(data.mesh, cli::scale_from(arguments), {});
   CompareOptions options = {.unit = cli::unit_from(arguments)};
-  return Job(arguments, std::move(progress)).run([&](cli::Session& session) {
-    const Patch patch(cli::scaled(data.mesh, scale, {}));
+  Job job(arguments, std::move(progress));
+  std::vector<CompareRun> runs;
+  if (own.is_none() || !cli::asks_for_no_method(arguments)) runs = cli::runs_from(arguments);
+  if (!own.is_none()) {
+    for (CompareRun& run : own_runs(own.cast<py::dict>(), design, arguments, job))
+      runs.push_back(std::move(run));
+  }
+  return job.run([&](cli::Session& session) {
+    const Patch patch(std::move(design));
     options.constraints = cli::constraints_from(arguments, patch, session);
     return CompareResult{std::make_shared<const CompareReport>(
         compare(patch, data.name, runs, options, session.job_context({})))};
@@ -140,7 +175,8 @@ void register_compare(py::module_& module) {
           "figures",
           [](const CompareResult& result) { return figures_of(json_report(*result.report)); },
           "All figures, with the keys of the program's --json.");
-  module.def("compare", compare_methods, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));
+  module.def("compare", compare_methods, py::arg("mesh"), py::arg("own"), py::arg("keywords"),
+             py::arg("progress"));
 }
 
 }  // namespace planish::python

@@ -14,6 +14,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "own_method.h"
 #include "pickle.h"
 #include "shell/failures.h"
 #include "text/summary.h"
@@ -30,10 +31,18 @@ struct EvolveOutcome {
   std::vector<std::string> notes = {};
 };
 
+/// @param function that makes the sweeps, None for a method of the library
+cli::EvolveRequest request_of(const py::object& function, const cli::Arguments& arguments,
+                              Job& job) {
+  if (function.is_none()) return cli::evolve_request_from(arguments);
+  return cli::evolve_request_from(arguments, method_of(function, job));
+}
+
 EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_on(data, "evolve", keywords);
-  cli::EvolveRequest request = cli::evolve_request_from(arguments);
+  const auto [function, flags] = own_function_of(keywords);
+  const cli::Arguments arguments = arguments_on(data, "evolve", flags);
   Job job(arguments, std::move(progress));
+  cli::EvolveRequest request = request_of(function, arguments, job);
   EvolveOutcome outcome = job.run([&](cli::Session& session) {
     cli::CutInput input = cut_input(data, arguments, session);
     const Patch patch(std::move(input.mesh));
@@ -56,12 +65,14 @@ struct Sweep {
 class Sweeps {
  public:
   Sweeps(const MeshData& data, const py::dict& keywords)
-      : arguments_(arguments_on(data, "evolve", keywords)), job_(arguments_, py::none()) {
+      : function_(own_function_of(keywords).first),
+        arguments_(arguments_on(data, "evolve", own_function_of(keywords).second)),
+        job_(arguments_, py::none()) {
     for (const char* flag : {"--remesh", "--smooth-first", "--symmetric"}) {
       if (arguments_.has(flag))
         throw cli::UsageError("flag " + std::string(flag) + " does not go with single sweeps");
     }
-    const cli::EvolveRequest request = cli::evolve_request_from(arguments_);
+    const cli::EvolveRequest request = request_of(function_, arguments_, job_);
     stopping_ = request.stopping;
     job_.run([&](cli::Session& session) {
       patch_ = Patch(cut_input(data, arguments_, session).mesh);
@@ -104,6 +115,7 @@ class Sweeps {
   /// As evolve() has it: what is flat to the last digits is not worked on.
   bool has_met(double e_max) const { return e_max <= std::max(stopping_.target_e_max, 1e-12); }
 
+  py::object function_;
   cli::Arguments arguments_;
   Job job_;
   Stopping stopping_;
@@ -177,6 +189,7 @@ void register_evolve(py::module_& module) {
                                           outcome.unit, cli::figures_of_cut(outcome.cut)));
           },
           "All figures, with the keys of the program's --json.");
+  register_sweep_input(module);
   module.def("evolve", evolve_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));
   register_sweeps(module);
 }

@@ -69,7 +69,7 @@ Job::Job(const cli::Arguments& arguments, py::object on_progress)
 void Job::post(const Progress& progress) {
   const std::scoped_lock lock(mutex_);
   latest_ = Step{std::string(progress.stage), progress.share, std::string(progress.subject)};
-  changed_.notify_one();
+  changed_.notify_all();
 }
 
 void Job::attend(const std::optional<Step>& step) {
@@ -84,22 +84,51 @@ void Job::attend(const std::optional<Step>& step) {
   }
 }
 
+void Job::in_python(const std::function<void()>& call) {
+  std::unique_lock lock(mutex_);
+  call_ = &call;
+  changed_.notify_all();
+  changed_.wait(lock, [&] { return call_ == nullptr; });
+  if (cancelled_) throw Cancelled();
+}
+
+void Job::make(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (py::error_already_set& error) {
+    own_.emplace(std::move(error));
+    cancelled_ = true;
+  } catch (...) {
+    of_call_ = std::current_exception();
+    cancelled_ = true;
+  }
+}
+
 void Job::wait() {
   auto next = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   while (!done_) {
     changed_.wait_for(lock, k_interval, [&] {
-      return done_ || (latest_ && std::chrono::steady_clock::now() >= next);
+      return done_ || call_ != nullptr || (latest_ && std::chrono::steady_clock::now() >= next);
     });
     const std::optional<Step> step = std::exchange(latest_, std::nullopt);
-    if (cancelled_ || (done_ && !step)) continue;
+    if (cancelled_ || (done_ && !step)) {
+      call_ = nullptr;
+      changed_.notify_all();
+      continue;
+    }
+    const std::function<void()>* const call = call_;
     lock.unlock();
     {
       const py::gil_scoped_acquire python;
       attend(step);
+      if (call != nullptr && !cancelled_) make(*call);
     }
     next = std::chrono::steady_clock::now() + k_interval;
     lock.lock();
+    if (call == nullptr) continue;
+    call_ = nullptr;
+    changed_.notify_all();
   }
 }
 
@@ -107,6 +136,7 @@ void Job::run_on_thread(const std::function<void(cli::Session&)>& work) {
   const Entry entry(*this);
   done_ = false;
   latest_.reset();
+  of_call_ = nullptr;
   {
     const py::gil_scoped_release no_python;
     std::thread worker([&] {
@@ -117,12 +147,13 @@ void Job::run_on_thread(const std::function<void(cli::Session&)>& work) {
       }
       const std::scoped_lock lock(mutex_);
       done_ = true;
-      changed_.notify_one();
+      changed_.notify_all();
     });
     wait();
     worker.join();
   }
   if (own_) throw py::error_already_set(std::move(*own_));
+  if (of_call_) std::rethrow_exception(std::exchange(of_call_, nullptr));
   if (cancelled_) throw Cancelled();
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   take_notes();

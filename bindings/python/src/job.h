@@ -22,7 +22,8 @@ namespace planish::python {
 namespace py = pybind11;
 
 /// Runs work of the program for Python: on a thread of its own and without Python's lock. The
-/// calling thread alone calls Python: it waits, hands on progress and looks for Ctrl-C.
+/// calling thread alone calls Python: it waits, hands on progress, makes the calls that the work
+/// asks for, and looks for Ctrl-C.
 class Job {
  public:
   /// @param arguments with --threads, if that was given
@@ -40,6 +41,11 @@ class Job {
     return std::move(*result);
   }
 
+  /// For the work, on its thread: has the calling thread do this with Python's lock, and waits.
+  /// What Python raises there, run() throws on.
+  /// @throws Cancelled where that raised something, or the work was cancelled
+  void in_python(const std::function<void()>& call);
+
   /// What the program said while it worked; warnings are also Python's.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -56,6 +62,7 @@ class Job {
   void wait();
   /// Calls Python, with its lock held.
   void attend(const std::optional<Step>& step);
+  void make(const std::function<void()>& call);
   void post(const Progress& progress);
   void take_notes();
 
@@ -70,8 +77,10 @@ class Job {
   std::condition_variable changed_;
   bool done_ = false;
   std::optional<Step> latest_;
-  std::exception_ptr failure_;                // of the work
-  std::optional<py::error_already_set> own_;  // that Python raised in the calling thread
+  const std::function<void()>* call_ = nullptr;  // that the work waits for
+  std::exception_ptr failure_;                   // of the work
+  std::exception_ptr of_call_;                   // of a call
+  std::optional<py::error_already_set> own_;     // that Python raised in the calling thread
 };
 
 /// Cancels all jobs and waits for their threads, for Python's end: behind it no thread gets

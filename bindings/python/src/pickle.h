@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -74,6 +75,9 @@ class Writer {
     write(value.index());
     std::visit([this](const auto& some) { write(some); }, value);
   }
+  /// Of a method of one's own its name is kept alone.
+  template <class Signature>
+  void write(const std::function<Signature>&) {}
   template <class Key, class Value, class Less>
   void write(const std::map<Key, Value, Less>& values) {
     write(values.size());
@@ -150,6 +154,10 @@ class Reader {
     if (index >= sizeof...(Values)) throw std::invalid_argument("the pickle is damaged");
     std::size_t number = 0;
     (void)((number++ == index ? (read(value.template emplace<Values>()), true) : false) || ...);
+  }
+  template <class Signature>
+  void read(std::function<Signature>& function) {
+    function = {};
   }
   template <class Key, class Value, class Less>
   void read(std::map<Key, Value, Less>& values) {

@@ -15,7 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "tools"))
 import generate  # noqa: E402
 
-OWN = {"mesh", "faces", "name", "progress", "patches", "result", "path", "as_designed"}
+OWN = {"mesh", "faces", "name", "progress", "own", "patches", "result", "path", "as_designed"}
 VERBS = ["measure", "flatten", "evolve", "unfold", "compare", "suggest_cuts", "suggest_panels", "sample"]
 
 

@@ -56,7 +56,8 @@ LEFT_OUT_OF = {
     "read": {"threads": "one is enough"},
     "measure": {"map": "result.fields", "unit": "figures are in model units", **READING},
     "flatten": {"seam_tolerance": "of a product", "no_match_seams": "of a product", **READING},
-    **dict.fromkeys(["unfold", "compare", "suggest_cuts", "suggest_panels", "evolve"], READING),
+    **dict.fromkeys(["unfold", "suggest_cuts", "suggest_panels", "evolve"], READING),
+    "compare": {"with_": "own", **READING},
     "flatten_product": {
         name: "of one patch"
         for name in "cut cut_along smooth_lines keep_small fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
@@ -121,7 +122,8 @@ FUNCTIONS = {
         f"{MESH}, {PROGRESS}",
         "_core.EvolveResult",
         RUN.format(verb="evolve"),
-        "Changes a patch by one method towards flattenable; it stays in space.",
+        "Changes a patch by one method towards flattenable; it stays in space. The method may be a function of your own, "
+        "which takes a SweepInput and returns the places of all vertices after a sweep.",
     ),
     "evolve_sweeps": (
         "evolve",
@@ -139,10 +141,11 @@ FUNCTIONS = {
     ),
     "compare": (
         "compare",
-        f"{MESH}, {PROGRESS}",
+        f"{MESH}, own: Optional[Mapping[str, OwnMethod | MeshLike]] = None, {PROGRESS}",
         "_core.CompareResult",
-        RUN.format(verb="compare"),
-        "Tries several methods on a patch, one after the other.",
+        "return _run.run_compare(_meshes.as_mesh(mesh, faces, name), own, given, progress)",
+        "Tries several methods on a patch, one after the other. In own, by name, are functions that make a sweep and "
+        "results of others (meshes with the same triangles, or their vertices), which take part like methods.",
     ),
     "suggest_cuts": (
         "suggest-cuts",
@@ -232,8 +235,8 @@ def flags_of(description, function):
     return found
 
 
-def type_of(keyword, flags):
-    kinds = set()
+def type_of(function, keyword, flags):
+    kinds = {"OwnMethod"} if keyword == "method" and function in {"evolve", "evolve_sweeps"} else set()
     for flag, _ in flags:
         kind = flag["type"]
         if flag["value_optional"]:
@@ -275,7 +278,7 @@ def function_text(description, function):
     verb, parameters, result, body, summary = FUNCTIONS[function]
     flags = flags_of(description, function)
     given = [f"    {part.strip()}," for part in re.split(r", (?=\*|\w+:)", parameters)]
-    given += [f"    {keyword}: {type_of(keyword, found)} = None," for keyword, found in flags.items()]
+    given += [f"    {keyword}: {type_of(function, keyword, found)} = None," for keyword, found in flags.items()]
     # The wrapped lines of a docstring must not end in a quote.
     doc = wrapped(summary, "    ").strip() + "\n\n    Keywords, as flags of the program:\n" + documentation(flags)
     doc = doc.replace("\\", "\\\\").replace('"""', "'''")
@@ -303,7 +306,7 @@ def module_source(functions):
     """With the imports of what the functions name."""
     types = [
         import_of("numpy.typing", ["ArrayLike"], functions),
-        import_of(".._types", ["Amount", "MeshLike", "Path", "Progress", "Rows"], functions),
+        import_of(".._types", ["Amount", "MeshLike", "OwnMethod", "Path", "Progress", "Rows"], functions),
     ]
     of_types = "\n".join(f"    {line}" for line in types if line)
     body = (f"\nif TYPE_CHECKING:\n{of_types}" if of_types else "") + f"\n\n{functions}"

@@ -54,6 +54,7 @@ enum class ErrorCode {
   misplaced_mark,
   no_grain_direction,
   piece_too_large,
+  method_failed,
 };
 
 /// The stable name of a code, as in "non_manifold_edge".

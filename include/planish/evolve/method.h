@@ -1,12 +1,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <planish/core/range.h>
+#include <planish/core/vec.h>
 #include <planish/measure/limit_check.h>
 
 namespace planish {
@@ -240,8 +245,7 @@ void describe(LocalOffset& o, Visit&& visit) {
         Range{0.0, 1e9});
   visit("step", o.step,
         "which steps count: guarded: those that lower the energy; published: all, as printed, so "
-        "that "
-        "energy may rise");
+        "that energy may rise");
   visit("max_visits", o.max_visits,
         "with published steps: largest number of visits of a vertex, which ends the printed loop",
         Range{1.0, 1e9});
@@ -435,6 +439,24 @@ void describe(Auto& o, Visit&& visit) {
         "most a distance in model units");
 }
 
+struct SweepInput;  // planish/evolve/own_method.h
+
+/// A method of one's own: a function that makes one sweep. It is evolved, measured and compared as
+/// the others are. docs/research.md
+struct OwnMethod {
+  static constexpr bool honours_weights = false, honours_obstacle = false;
+  std::string name = "own";  ///< in reports
+  /// Returns where the vertices are after the sweep, one per vertex of the mesh, model units. Those
+  /// that may not move stay, whatever it returns for them. A sweep that moves nothing ends the run.
+  /// What it throws passes through evolve(). Called from the thread that evolves.
+  std::function<std::vector<Vec3>(const SweepInput&)> sweep = {};
+  int usual_sweeps = 10;      ///< how many it is given where nobody said
+  bool moves_border = false;  ///< whether vertices of the border may move too
+};
+
+template <class Visit>
+void describe(OwnMethod& /*method*/, Visit&& /*visit*/) {}  // its options are its own
+
 /// A method is a value: its options say which one it is. Each has its struct above, its source file
 /// in src/evolve and its page under docs/methods; the struct says
 ///   name             on the command line and in reports,
@@ -442,19 +464,24 @@ void describe(Auto& o, Visit&& visit) {
 ///   honours_weights, honours_obstacle   see Constraints,
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
 /// docs: it calls visit(name, member, doc, range) for numbers, visit(name, member, doc) for
-/// enumerations and BorderFreedom.
-using Method =
-    std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm, FlattenableLaplacian,
-                 LocalOffset, GlobalPenalty, LocalPerturbation, BilaplacianFairing, Auto>;
+/// enumerations and BorderFreedom. OwnMethod, the last, is none of these.
+using Method = std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm,
+                            FlattenableLaplacian, LocalOffset, GlobalPenalty, LocalPerturbation,
+                            BilaplacianFairing, Auto, OwnMethod>;
 
-/// As in "controllable".
+/// How many methods have a name that method_named() knows: the first ones of Method.
+inline constexpr std::size_t k_named_methods = std::variant_size_v<Method> - 1;
+
+/// As in "controllable". It lives as long as the method.
 std::string_view name_of(const Method& method);
 
 /// The method of that name with its default options.
 /// @throws Error unknown_name
 Method method_named(std::string_view name);
 
-/// @throws Error option_out_of_range naming the first option out of its range
+/// @throws Error option_out_of_range naming the first option out of its range; also for an
+/// OwnMethod
+///   without a name or a sweep
 void check_options(const Method& method);
 
 }  // namespace planish

@@ -77,6 +77,7 @@ Sweep make_sweep(const LeastNorm& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const LocalOffset& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const GlobalPenalty& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const LocalPerturbation& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const OwnMethod& method, PatchState& state, ThreadPool& pool);
 
 /// Goes through all visits of the plan, the insides of all pieces at the same time, then each
 /// colour of seams: body(begin, end) returns how many of the vertices visited it moved. Returns the

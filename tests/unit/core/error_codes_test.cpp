@@ -135,6 +135,11 @@ const std::map<Code, Reproduction>& reproductions() {
          const Patch patch(grid);
          require_symmetric(patch, symmetry_in(patch, {{1.0, 0.0, 0.0}, 0.0}));
        }},
+      {Code::method_failed,
+       [] {
+         const OwnMethod loses = {.sweep = [](const SweepInput&) { return std::vector<Vec3>(); }};
+         evolve(Patch(make_shape("dome", 100)), loses, {}, {}, {.threads = 1});
+       }},
       {Code::unfold_failed,
        [] {
          const TriMesh mesh = bag();

@@ -65,7 +65,7 @@ std::vector<Method> all_methods(std::index_sequence<I...>) {
 
 INSTANTIATE_TEST_SUITE_P(
     AllMethods, FixedVertices,
-    testing::ValuesIn(all_methods(std::make_index_sequence<std::variant_size_v<Method>>())),
+    testing::ValuesIn(all_methods(std::make_index_sequence<k_named_methods>())),
     [](const auto& test) { return std::string(name_of(test.param)); });
 
 ErrorCode error_of(const Constraints& constraints, const Method& method = {}) {

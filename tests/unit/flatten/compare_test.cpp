@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 TEST(Compare, RunsEveryMethodOfTheVariantWithItsUsualStopping) {
   const auto runs = runs_of_all_methods();
-  ASSERT_EQ(runs.size(), std::variant_size_v<Method>);
+  ASSERT_EQ(runs.size(), k_named_methods);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(runs[i].method.index(), i);
     EXPECT_EQ(runs[i].stopping.max_sweeps, usual_stopping(runs[i].method).max_sweeps);

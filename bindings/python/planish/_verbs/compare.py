@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Optional, Sequence
+from typing import TYPE_CHECKING, Literal, Mapping, Optional, Sequence
 
 from .. import _core, _meshes, _run
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import MeshLike, Progress, Rows
+    from .._types import MeshLike, OwnMethod, Progress, Rows
 
 
 def compare(
@@ -17,6 +17,7 @@ def compare(
     faces: Optional[ArrayLike] = None,
     *,
     name: Optional[str] = None,
+    own: Optional[Mapping[str, OwnMethod | MeshLike]] = None,
     progress: Optional[Progress] = None,
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
@@ -28,14 +29,15 @@ def compare(
     obstacle: Optional[MeshLike] = None,
     threads: Optional[int] = None,
 ) -> _core.CompareResult:
-    """Tries several methods on a patch, one after the other.
+    """Tries several methods on a patch, one after the other. In own, by name, are functions that make a sweep and
+        results of others (meshes with the same triangles, or their vertices), which take part like methods.
 
     Keywords, as flags of the program:
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         methods: which, with commas between: controllable, classical, least_norm, flattenable_laplacian, local_offset,
-            global_penalty, local_perturbation, fairing or auto (default: all)
+            global_penalty, local_perturbation, fairing or auto; with --with also none (default: all)
         sweeps: largest number of sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
@@ -45,4 +47,4 @@ def compare(
         threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
-    return _run.run(_core.compare, _meshes.as_mesh(mesh, faces, name), given, progress)
+    return _run.run_compare(_meshes.as_mesh(mesh, faces, name), own, given, progress)

@@ -9,7 +9,7 @@ from .. import _core, _meshes, _run
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import Amount, MeshLike, Path, Progress, Rows
+    from .._types import Amount, MeshLike, OwnMethod, Path, Progress, Rows
 
 
 def evolve(
@@ -31,7 +31,7 @@ def evolve(
     mirror_surface: Optional[bool] = None,
     prefer_cuts: Optional[str] = None,
     effort: Optional[int] = None,
-    method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
+    method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"] | OwnMethod] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
     lambda_min: Optional[float] = None,
@@ -79,7 +79,8 @@ def evolve(
     obstacle: Optional[MeshLike] = None,
     threads: Optional[int] = None,
 ) -> _core.EvolveResult:
-    """Changes a patch by one method towards flattenable; it stays in space.
+    """Changes a patch by one method towards flattenable; it stays in space. The method may be a function of your own,
+        which takes a SweepInput and returns the places of all vertices after a sweep.
 
     Keywords, as flags of the program:
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
@@ -201,7 +202,7 @@ def evolve_sweeps(
     mirror_surface: Optional[bool] = None,
     prefer_cuts: Optional[str] = None,
     effort: Optional[int] = None,
-    method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"]] = None,
+    method: Optional[Literal["controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset", "global_penalty", "local_perturbation", "fairing", "auto"] | OwnMethod] = None,
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
     lambda_min: Optional[float] = None,

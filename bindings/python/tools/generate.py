@@ -72,7 +72,7 @@ LEFT_OUT_OF = {
     "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps", **READING},
 }
 # Which flags a writer of drawings takes.
-DRAWING_GROUP = "What the pattern gets besides its outline"
+DRAWING_GROUP = "What the pattern has besides its outline"
 DRAWING_FLAGS = {
     "svg": {"text"},
     "dxf": {"text", "dxf_profile", "dxf_version", "dxf_notches", "dxf_layers"},

@@ -33,18 +33,18 @@ def compare(
         results of others (meshes with the same triangles, or their vertices), which take part like methods.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        methods: which, with commas between: controllable, classical, least_norm, flattenable_laplacian, local_offset,
-            global_penalty, local_perturbation, fairing or auto; with --with also none (default: all)
-        sweeps: largest number of sweeps (default: what each method usually takes)
+        methods: methods to run, separated by commas: controllable, classical, least_norm, flattenable_laplacian,
+            local_offset, global_penalty, local_perturbation, fairing or auto; with --with also none (default: all)
+        sweeps: largest number of sweeps (default: the method's own)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
-            snapped to the mesh
-        weights: weights of moves: on each line a vertex, from 0, and its weight
-        obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are moved
+            to the nearest vertices
+        weights: weights of vertices against moving, one a line: number of the vertex, from 0, and its weight
+        obstacle: a closed mesh that the surface must not enter
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run_compare(_meshes.as_mesh(mesh, faces, name), own, given, progress)

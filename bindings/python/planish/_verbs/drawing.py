@@ -45,36 +45,38 @@ def svg(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        text: letters, or strokes for machines without them (default letters)
-        allowance: material beyond the seam, as 10mm
-        corners: of the allowance: mitre, square or round (default mitre)
-        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
-        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+        text: letters, or strokes for machines that have no letters (default letters)
+        allowance: width of the seam allowance, as 10mm
+        corners: corners of the allowance: mitre, square or round (default mitre)
+        hole_allowance: give holes the allowance too, inwards: yes or no (default yes)
+        kerf: width that the machine cuts away, as 0.2mm; cut lines move by half of it, outwards, and into holes
             (default 0)
-        edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
-        fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
-            allowance
-        open_folds: draw the whole of a piece with a fold, not its half
-        notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
-            the model
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+        edge_allowances: allowances of single stretches of the border, one a line: first vertex, last vertex, width in
+            mm
+        fold: the two vertices at the ends of a straight stretch of the border; the piece is cut on the fold there,
+            without an allowance
+        open_folds: draw the whole piece on both sides of its fold, not its half
+        notches: notches, one a line: vertex, or place along the border as 0.25 or 25%; slit, v or t; double; or an
             .obj drawn on the model
-        notch_depth: of notches (default 5mm, or half of less allowance)
-        grain: direction of the grain on the model, or its angle in the pattern
-        marks: a line each: vertex; cross or drill; or an .obj drawn on the model
-        inner_lines: as legs of darts, a line each by its vertices; or an .obj drawn on the model
-        piece_name: written inside the piece, as are the next five
-        size: that the piece is for
-        quantity: how many to cut
-        mirrored: how many of --quantity to cut as mirror images
-        fabric: what to cut it from
-        note: anything else, as "one mirrored" or "cut on fold"
-        date: written on the sheet as it is (default none)
-        edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
+        seam_notches: notches on both sides of seams, one a line: number of the seam, or * for all; place as 50% or
+            120mm; slit, v or t; double; or an .obj drawn on the model
+        notch_depth: depth of notches (default 5mm, or half the allowance if that is less)
+        grain: grain: a direction on the model, or an angle in the pattern
+        marks: marks, one a line: vertex; cross or drill; or an .obj drawn on the model
+        inner_lines: lines inside the piece, such as legs of darts: the vertices of each on one line; or an .obj drawn
+            on the model
+        piece_name: name of the piece, written inside it, as are the values of the next five flags
+        size: size that the piece is for
+        quantity: number of pieces to cut
+        mirrored: number of pieces of --quantity to cut as mirror images
+        fabric: material to cut the piece from
+        note: any other text, as "one mirrored" or "cut on fold"
+        date: date to write on the sheet, printed as you give it (default none)
+        edge_lengths: write the length of each edge, from corner to corner, beside it; flatten also writes edge-
             lengths.csv
-        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
-        curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
-            vertex to vertex)
+        sheet_unit: unit of the lengths on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
+        curve_tolerance: largest distance between the drawn curves and the border of the mesh (default 0.1mm; 0:
+            straight lines from vertex to vertex)
     """
     given = _run.keywords_of(locals())
     return _run.draw(result, "svg", path, as_designed, given).decode()
@@ -119,41 +121,46 @@ def dxf(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        text: letters, or strokes for machines without them (default letters)
-        dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
-        dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
-        dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
+        text: letters, or strokes for machines that have no letters (default letters)
+        dxf_profile: program that reads the .dxf: generic, aama, astm, clo, lectra, optitex or gerber (default
+            generic)
+        dxf_version: version of the .dxf: r12, which nearly every program reads, or r2000, with arcs and splines
+            (default r12)
+        dxf_notches: notches in a .dxf for apparel programs: points, or strokes for cutters that ignore points
+            (default points)
         dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
             annotation, label, legend, hole or cut
-        allowance: material beyond the seam, as 10mm
-        corners: of the allowance: mitre, square or round (default mitre)
-        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
-        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+        allowance: width of the seam allowance, as 10mm
+        corners: corners of the allowance: mitre, square or round (default mitre)
+        hole_allowance: give holes the allowance too, inwards: yes or no (default yes)
+        kerf: width that the machine cuts away, as 0.2mm; cut lines move by half of it, outwards, and into holes
             (default 0)
-        edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
-        fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
-            allowance
-        open_folds: draw the whole of a piece with a fold, not its half
-        notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
-            the model
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+        edge_allowances: allowances of single stretches of the border, one a line: first vertex, last vertex, width in
+            mm
+        fold: the two vertices at the ends of a straight stretch of the border; the piece is cut on the fold there,
+            without an allowance
+        open_folds: draw the whole piece on both sides of its fold, not its half
+        notches: notches, one a line: vertex, or place along the border as 0.25 or 25%; slit, v or t; double; or an
             .obj drawn on the model
-        notch_depth: of notches (default 5mm, or half of less allowance)
-        grain: direction of the grain on the model, or its angle in the pattern
-        marks: a line each: vertex; cross or drill; or an .obj drawn on the model
-        inner_lines: as legs of darts, a line each by its vertices; or an .obj drawn on the model
-        piece_name: written inside the piece, as are the next five
-        size: that the piece is for
-        quantity: how many to cut
-        mirrored: how many of --quantity to cut as mirror images
-        fabric: what to cut it from
-        note: anything else, as "one mirrored" or "cut on fold"
-        date: written on the sheet as it is (default none)
-        edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
+        seam_notches: notches on both sides of seams, one a line: number of the seam, or * for all; place as 50% or
+            120mm; slit, v or t; double; or an .obj drawn on the model
+        notch_depth: depth of notches (default 5mm, or half the allowance if that is less)
+        grain: grain: a direction on the model, or an angle in the pattern
+        marks: marks, one a line: vertex; cross or drill; or an .obj drawn on the model
+        inner_lines: lines inside the piece, such as legs of darts: the vertices of each on one line; or an .obj drawn
+            on the model
+        piece_name: name of the piece, written inside it, as are the values of the next five flags
+        size: size that the piece is for
+        quantity: number of pieces to cut
+        mirrored: number of pieces of --quantity to cut as mirror images
+        fabric: material to cut the piece from
+        note: any other text, as "one mirrored" or "cut on fold"
+        date: date to write on the sheet, printed as you give it (default none)
+        edge_lengths: write the length of each edge, from corner to corner, beside it; flatten also writes edge-
             lengths.csv
-        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
-        curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
-            vertex to vertex)
+        sheet_unit: unit of the lengths on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
+        curve_tolerance: largest distance between the drawn curves and the border of the mesh (default 0.1mm; 0:
+            straight lines from vertex to vertex)
     """
     given = _run.keywords_of(locals())
     return _run.draw(result, "dxf", path, as_designed, given).decode()
@@ -195,38 +202,40 @@ def pdf(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        paper: divide the .pdf into pages to be joined: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter, legal or
-            tabloid, or a size of your own as 36inx48in
-        map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
-        allowance: material beyond the seam, as 10mm
-        corners: of the allowance: mitre, square or round (default mitre)
-        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
-        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+        paper: divide the .pdf into pages to join: a4, a3, a2, a1, a0, b4, b3, b2, b1, b0, letter, legal or tabloid,
+            or any size as 36inx48in
+        map: draw the strain map and its legend in .svg, .pdf and on the pages of --paper
+        allowance: width of the seam allowance, as 10mm
+        corners: corners of the allowance: mitre, square or round (default mitre)
+        hole_allowance: give holes the allowance too, inwards: yes or no (default yes)
+        kerf: width that the machine cuts away, as 0.2mm; cut lines move by half of it, outwards, and into holes
             (default 0)
-        edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
-        fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
-            allowance
-        open_folds: draw the whole of a piece with a fold, not its half
-        notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
-            the model
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+        edge_allowances: allowances of single stretches of the border, one a line: first vertex, last vertex, width in
+            mm
+        fold: the two vertices at the ends of a straight stretch of the border; the piece is cut on the fold there,
+            without an allowance
+        open_folds: draw the whole piece on both sides of its fold, not its half
+        notches: notches, one a line: vertex, or place along the border as 0.25 or 25%; slit, v or t; double; or an
             .obj drawn on the model
-        notch_depth: of notches (default 5mm, or half of less allowance)
-        grain: direction of the grain on the model, or its angle in the pattern
-        marks: a line each: vertex; cross or drill; or an .obj drawn on the model
-        inner_lines: as legs of darts, a line each by its vertices; or an .obj drawn on the model
-        piece_name: written inside the piece, as are the next five
-        size: that the piece is for
-        quantity: how many to cut
-        mirrored: how many of --quantity to cut as mirror images
-        fabric: what to cut it from
-        note: anything else, as "one mirrored" or "cut on fold"
-        date: written on the sheet as it is (default none)
-        edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
+        seam_notches: notches on both sides of seams, one a line: number of the seam, or * for all; place as 50% or
+            120mm; slit, v or t; double; or an .obj drawn on the model
+        notch_depth: depth of notches (default 5mm, or half the allowance if that is less)
+        grain: grain: a direction on the model, or an angle in the pattern
+        marks: marks, one a line: vertex; cross or drill; or an .obj drawn on the model
+        inner_lines: lines inside the piece, such as legs of darts: the vertices of each on one line; or an .obj drawn
+            on the model
+        piece_name: name of the piece, written inside it, as are the values of the next five flags
+        size: size that the piece is for
+        quantity: number of pieces to cut
+        mirrored: number of pieces of --quantity to cut as mirror images
+        fabric: material to cut the piece from
+        note: any other text, as "one mirrored" or "cut on fold"
+        date: date to write on the sheet, printed as you give it (default none)
+        edge_lengths: write the length of each edge, from corner to corner, beside it; flatten also writes edge-
             lengths.csv
-        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
-        curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
-            vertex to vertex)
+        sheet_unit: unit of the lengths on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
+        curve_tolerance: largest distance between the drawn curves and the border of the mesh (default 0.1mm; 0:
+            straight lines from vertex to vertex)
     """
     given = _run.keywords_of(locals())
     return _run.draw(result, "pdf", path, as_designed, given)
@@ -266,35 +275,37 @@ def plt(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        allowance: material beyond the seam, as 10mm
-        corners: of the allowance: mitre, square or round (default mitre)
-        hole_allowance: whether holes get the allowance too, inwards: yes or no (default yes)
-        kerf: that the machine cuts away, as 0.2mm: cut lines are moved by half of it, outwards, and into holes
+        allowance: width of the seam allowance, as 10mm
+        corners: corners of the allowance: mitre, square or round (default mitre)
+        hole_allowance: give holes the allowance too, inwards: yes or no (default yes)
+        kerf: width that the machine cuts away, as 0.2mm; cut lines move by half of it, outwards, and into holes
             (default 0)
-        edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
-        fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
-            allowance
-        open_folds: draw the whole of a piece with a fold, not its half
-        notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
-            the model
-        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double; or an
+        edge_allowances: allowances of single stretches of the border, one a line: first vertex, last vertex, width in
+            mm
+        fold: the two vertices at the ends of a straight stretch of the border; the piece is cut on the fold there,
+            without an allowance
+        open_folds: draw the whole piece on both sides of its fold, not its half
+        notches: notches, one a line: vertex, or place along the border as 0.25 or 25%; slit, v or t; double; or an
             .obj drawn on the model
-        notch_depth: of notches (default 5mm, or half of less allowance)
-        grain: direction of the grain on the model, or its angle in the pattern
-        marks: a line each: vertex; cross or drill; or an .obj drawn on the model
-        inner_lines: as legs of darts, a line each by its vertices; or an .obj drawn on the model
-        piece_name: written inside the piece, as are the next five
-        size: that the piece is for
-        quantity: how many to cut
-        mirrored: how many of --quantity to cut as mirror images
-        fabric: what to cut it from
-        note: anything else, as "one mirrored" or "cut on fold"
-        date: written on the sheet as it is (default none)
-        edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
+        seam_notches: notches on both sides of seams, one a line: number of the seam, or * for all; place as 50% or
+            120mm; slit, v or t; double; or an .obj drawn on the model
+        notch_depth: depth of notches (default 5mm, or half the allowance if that is less)
+        grain: grain: a direction on the model, or an angle in the pattern
+        marks: marks, one a line: vertex; cross or drill; or an .obj drawn on the model
+        inner_lines: lines inside the piece, such as legs of darts: the vertices of each on one line; or an .obj drawn
+            on the model
+        piece_name: name of the piece, written inside it, as are the values of the next five flags
+        size: size that the piece is for
+        quantity: number of pieces to cut
+        mirrored: number of pieces of --quantity to cut as mirror images
+        fabric: material to cut the piece from
+        note: any other text, as "one mirrored" or "cut on fold"
+        date: date to write on the sheet, printed as you give it (default none)
+        edge_lengths: write the length of each edge, from corner to corner, beside it; flatten also writes edge-
             lengths.csv
-        sheet_unit: of lengths written on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
-        curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
-            vertex to vertex)
+        sheet_unit: unit of the lengths on sheets, of the .dxf and of edge-lengths.csv: mm or in (default mm)
+        curve_tolerance: largest distance between the drawn curves and the border of the mesh (default 0.1mm; 0:
+            straight lines from vertex to vertex)
     """
     given = _run.keywords_of(locals())
     return _run.draw(result, "plt", path, as_designed, given).decode()

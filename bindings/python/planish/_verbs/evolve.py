@@ -83,104 +83,111 @@ def evolve(
         which takes a SweepInput and returns the places of all vertices after a sweep.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        remesh: work on fewer vertices, and write these; the border keeps all of its own
-        smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
-            edges; such as 5mm)
-        cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
+        remesh: work on a mesh with fewer vertices, and write that mesh; all border vertices stay
+        smooth_first: smooth the design first: takes out waves shorter than this, such as the noise of a scan (at most
+            20 mean edge lengths; as 5mm)
+        cut: cut the surface along lines first: a drawing (.obj, or a pattern .svg), a list of vertices, "plane x=0",
             "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open or auto (panels); may be repeated
-        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
-        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
-        avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
-            points over the mesh, or an .obj or .ply of the model with these places painted
-        keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
-            edges; else each is joined to a neighbour
-        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
-            lines
-        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
-            inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
+        cut_along: triangles: lines cut through them; edges: lines follow edges of the mesh (default triangles)
+        smooth_lines: make drawn lines smooth; moves them by up to half an edge: yes or no (default yes)
+        avoid: places that --cut open avoids if it can: one vertex a line, an .obj with lines or points on the mesh,
+            or an .obj or .ply of the model with these places painted
+        keep_small: keep small pieces that cuts make; without this flag, a piece with less than 1 % of the area, or
+            with less than 5 % and narrower than two edges, is joined to a neighbour
+        symmetric: make left equal right, in lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the other; the half
+            that has the lines stays
+        prefer_cuts: what a division into panels must have before all else: few pieces (few), short seams (short), or
+            no slits that end inside a piece (simple); default few
+        effort: number of divisions to try (1 to 1000, default 6); a larger number never gives a worse result
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
-        sweeps: largest number of sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: the method's own)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
+        lambda_min: smallest step along the Laplacian vector; a value below 0 lets saddles improve (-10 to 0, default
+            0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
-        min_angle: with lambda_min below 0: no triangle gets an angle below this, or below its present one if that is
-            smaller, in degrees (5 or 5deg; 0 to 60, default 1); or no triangle gets an angle below this, or below the
-            smallest one at first if that is smaller, in degrees (5 or 5deg; 0 to 60, default 0)
-        max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
-            default no limit)
-        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
-        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or of taubin: share of
-            the umbrella vector in the smoothing step (0 to 1, default 0.33)
-        order: order of the moves in a sweep (sequential or simultaneous, default sequential)
-        update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
-            cotangent)
-        switch_e_max: direct steps take over when e_max is below this, in radians (at least 0, default 0.001)
-        switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
-        switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
-        damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
-            to 1000, default 0); or how soft the constraints are at least, in units of the matrix; as small as 1e-9
-            they are hard, as printed, and softer where e_max would rise (1e-12 to 1000, default 1e-09)
-        border_weight: weight of moves of vertices next to the border; 10 keeps the patch's slant there (0.001 to
-            1000, default 1)
-        max_step: a direct step moves no vertex by more of its shortest edge (1e-06 to 10, default 0.5)
-        min_step: converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-06); or
-            converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-05); or
-            converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-04)
-        fairness: w1: how much edges are to be short and even (0 to 1e+06, default 1)
-        position: w2: how much vertices are to stay where they began (1e-09 to 1e+06, default 0.1)
-        tau: share of each step that is taken (0.001 to 1, default 0.25); or share of the solved step that is gone (0
-            to 1, default 0.1)
-        rebase_every: number of steps after which the positions reached become those to stay at; 0: never (at least 0,
+        min_angle: with lambda_min below 0: no triangle gets an angle below this, or below its own angle before the
+            step if that is smaller, in degrees (5 or 5deg; 0 to 60, default 1); or no triangle gets an angle below
+            this, or below the smallest angle of the design if that is smaller, in degrees (5 or 5deg; 0 to 60,
             default 0)
-        band: no vertex ends further than this from where it began, in model units; 0 for the mean length of the edges
-            at inner vertices (at least 0, default 0)
-        enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
-            method is done, in radians (at least 0, default 0.001)
-        max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
-        step: which steps count; published: all, as printed, so that energy may rise (guarded or published, default
-            guarded)
-        max_visits: with published steps: a vertex that was tried this often is left alone, which ends the printed
-            loop (at least 1, default 100)
-        cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
-        tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
-            first (0 to 1, default 1e-04)
-        border: whether border vertices that came at the same place, as on the two sides of a seam, stay or move
-            together; all others stay (fixed or linked, default fixed); or what vertices of the border may do: stay,
-            slide along the border as it was, or go as far from where they were as this, in model units (fixed, slide
-            or a length such as 1.5 or 1.5mm, default fixed)
-        rings: number of rings around a vertex that move at once (1 to 10, default 3)
-        inner_steps: steps each time that a vertex is taken (1 to 1000, default 5)
+        max_deviation: farthest that a vertex may end from its position in the design, in model units (1.5 or 1.5mm;
+            at least 0, default no limit)
+        solver: how the best step is computed; trust_region is the solver that the paper names (model or trust_region,
+            default model)
+        lambda_: fraction of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or with flow taubin:
+            fraction of the umbrella vector in the smoothing step (0 to 1, default 0.33)
+        order: order in which a sweep moves the vertices (sequential or simultaneous, default sequential)
+        update: how a step gives new positions, until direct steps begin (direct, uniform or cotangent, default
+            cotangent)
+        switch_e_max: direct steps begin when e_max is below this, in radians (at least 0, default 0.001)
+        switch_after: direct steps also begin after this number of faired steps, once a faired step gains too little
+            (at least 0, default 20)
+        switch_fall: a faired step gains too little if e_max falls by less than this, in radians (at least 0, default
+            0.01)
+        damping: damping of faired steps, relative to the median of the matrix's diagonal; 0 means 3e-6 for cotangent,
+            3e-4 for uniform (0 to 1000, default 0); or least softness of the constraints, relative to the matrix;
+            1e-9 makes them hard, as printed in the paper; they get softer where e_max would rise (1e-12 to 1000,
+            default 1e-09)
+        border_weight: weight of the moves of vertices next to the border; 10 keeps the slant of the surface there
+            (0.001 to 1000, default 1)
+        max_step: largest move of a vertex in a direct step, as a multiple of its shortest edge (1e-06 to 10, default
+            0.5)
+        min_step: converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-06);
+            or converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-05); or
+            converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-04)
+        fairness: w1, the weight of short and even edges (0 to 1e+06, default 1)
+        position: w2, the weight of staying at the first positions (1e-09 to 1e+06, default 0.1)
+        tau: fraction of each step that is taken (0.001 to 1, default 0.25); or fraction of each step that is taken (0
+            to 1, default 0.1)
+        rebase_every: after this number of steps the present positions become those to stay near; 0: never (at least
+            0, default 0)
+        band: farthest that a vertex may end from its position in the design, in model units; 0 means the mean length
+            of the edges at inner vertices (at least 0, default 0)
+        enough: defects of at most this are left as they are, in radians (at least 0, default 0.01); or done when
+            e_max is at most this, in radians (at least 0, default 0.001)
+        max_updates: largest number of vertices tried, over all sweeps (at least 0, default 500000)
+        step: which steps count: guarded: those that lower the energy; published: all, as printed, so that energy may
+            rise (guarded or published, default guarded)
+        max_visits: with published steps: largest number of visits of a vertex, which ends the printed loop (at least
+            1, default 100)
+        cg_steps: conjugate-gradient steps before the penalty grows (1 to 1000, default 5)
+        tolerance: done when a sweep changes the sum of squared defects by at most this fraction of its first value (0
+            to 1, default 1e-04)
+        border: whether border vertices at the same place, as on the two sides of a seam, stay or move together; all
+            other border vertices stay (fixed or linked, default fixed); or what border vertices may do: stay, slide
+            along the border of the design, or move by at most a distance in model units (fixed, slide or a length
+            such as 1.5 or 1.5mm, default fixed)
+        rings: number of rings around a vertex that move together (1 to 10, default 3)
+        inner_steps: steps for each visit of a vertex (1 to 1000, default 5)
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
-        pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
-            stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        flow: what a sweep is: none: one solve to where the surface bends least; else a step of a flow (none, taubin,
-            implicit or anisotropic, default none)
-        mu: of taubin: the same in the step back, negative (-1 to 0, default -0.34)
-        crease: of anisotropic: where normals turn by more than this along a mean edge, in degrees, it is a crease (5
-            or 5deg; 0.1 to 180, default 20)
-        max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
-            as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
-        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
-            (0.02 or 2%; 0 to 1, default 0)
-        max_bending: with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger one
-            lets the surface stay nearer; 0: as smooth as usual (0 to 1e+06, default 0)
-        prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
-            near, default smooth)
-        closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
-            rough and 2.5 degrees more (0 to 1e+06, default 1)
-        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
-            snapped to the mesh
-        weights: weights of moves: on each line a vertex, from 0, and its weight
-        obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        pull: how strongly vertices are pulled to their first positions; waves longer than 2 pi sqrt(area / pull)
+            stay, shorter ones go; 0: no pull (at least 0, default 100)
+        flow: what a sweep does: none: one solve for the surface that bends least; else one step of a flow (none,
+            taubin, implicit or anisotropic, default none)
+        mu: with flow taubin: fraction of the umbrella vector in the step back, below 0 (-1 to 0, default -0.34)
+        crease: with flow anisotropic: a crease is where normals turn by more than this along a mean edge, in degrees
+            (5 or 5deg; 0.1 to 180, default 20)
+        max_strain: largest strain that an edge of the pattern may have, as a fraction of its length; the form changes
+            only as much as this needs (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
+        material: use the limit of a material instead of --max-strain: steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists their limits
+        max_rms_strain: largest root mean square of the strain, as a fraction of length; a few places with more strain
+            do not decide it (0.02 or 2%; 0 to 1, default 0)
+        max_bending: with prefer smooth or flat: largest bending, as a multiple of the design's; a larger value keeps
+            the surface nearer to the design; 0: as smooth as usual (0 to 1e+06, default 0)
+        prefer: what matters most: a smooth surface, a flattenable surface, or a surface near to the design (smooth,
+            flat or near, default smooth)
+        closeness: how much roughness to accept for a surface nearer to the design; 0: no rougher than the design, 1:
+            twice as rough and 2.5 degrees more (0 to 1e+06, default 1)
+        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are moved
+            to the nearest vertices
+        weights: weights of vertices against moving, one a line: number of the vertex, from 0, and its weight
+        obstacle: a closed mesh that the surface must not enter
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.evolve, _meshes.as_mesh(mesh, faces, name), given, progress)
@@ -253,101 +260,108 @@ def evolve_sweeps(
     """The same as an iterator: a Sweep after each sweep, until evolve() would end.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        cut: cut the surface along lines first: a drawing (.obj, a pattern .svg), a list of vertices, "plane x=0",
+        cut: cut the surface along lines first: a drawing (.obj, or a pattern .svg), a list of vertices, "plane x=0",
             "line 0,0,1 0,2,1", rings, "creases 30deg", uv, groups, open or auto (panels); may be repeated
-        cut_along: triangles: a line cuts through them; edges: it follows edges of the mesh (default triangles)
-        smooth_lines: take the teeth out of drawn lines, by up to half an edge: yes or no (default yes)
-        avoid: places that the cuts of --cut open go round where they can: vertices one a line, an .obj with lines or
-            points over the mesh, or an .obj or .ply of the model with these places painted
-        keep_small: keep pieces that cuts make with less than 1 % of the area, or 5 % where they are narrower than two
-            edges; else each is joined to a neighbour
-        symmetric: make left equal right, lines and patterns: auto finds the plane, "x=0" names it, no (default no)
-        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the half that has the
-            lines
-        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
-            inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
+        cut_along: triangles: lines cut through them; edges: lines follow edges of the mesh (default triangles)
+        smooth_lines: make drawn lines smooth; moves them by up to half an edge: yes or no (default yes)
+        avoid: places that --cut open avoids if it can: one vertex a line, an .obj with lines or points on the mesh,
+            or an .obj or .ply of the model with these places painted
+        keep_small: keep small pieces that cuts make; without this flag, a piece with less than 1 % of the area, or
+            with less than 5 % and narrower than two edges, is joined to a neighbour
+        symmetric: make left equal right, in lines and patterns: auto finds the plane, "x=0" names it, no (default no)
+        mirror_surface: with --symmetric: replace one half of the surface by the mirror image of the other; the half
+            that has the lines stays
+        prefer_cuts: what a division into panels must have before all else: few pieces (few), short seams (short), or
+            no slits that end inside a piece (simple); default few
+        effort: number of divisions to try (1 to 1000, default 6); a larger number never gives a worse result
         method: controllable, classical, least_norm, flattenable_laplacian, local_offset, global_penalty,
             local_perturbation, fairing or auto (default controllable)
-        sweeps: largest number of sweeps (default: what each method usually takes)
+        sweeps: largest number of sweeps (default: the method's own)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
+        lambda_min: smallest step along the Laplacian vector; a value below 0 lets saddles improve (-10 to 0, default
+            0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
-        min_angle: with lambda_min below 0: no triangle gets an angle below this, or below its present one if that is
-            smaller, in degrees (5 or 5deg; 0 to 60, default 1); or no triangle gets an angle below this, or below the
-            smallest one at first if that is smaller, in degrees (5 or 5deg; 0 to 60, default 0)
-        max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
-            default no limit)
-        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
-        lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or of taubin: share of
-            the umbrella vector in the smoothing step (0 to 1, default 0.33)
-        order: order of the moves in a sweep (sequential or simultaneous, default sequential)
-        update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
-            cotangent)
-        switch_e_max: direct steps take over when e_max is below this, in radians (at least 0, default 0.001)
-        switch_after: and after this number of faired steps, when one gains too little (at least 0, default 20)
-        switch_fall: too little: e_max falls by less than this, in radians (at least 0, default 0.01)
-        damping: of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for uniform (0
-            to 1000, default 0); or how soft the constraints are at least, in units of the matrix; as small as 1e-9
-            they are hard, as printed, and softer where e_max would rise (1e-12 to 1000, default 1e-09)
-        border_weight: weight of moves of vertices next to the border; 10 keeps the patch's slant there (0.001 to
-            1000, default 1)
-        max_step: a direct step moves no vertex by more of its shortest edge (1e-06 to 10, default 0.5)
-        min_step: converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-06); or
-            converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-05); or
-            converged when the rms step is below this share of the mean edge length (0 to 1, default 1e-04)
-        fairness: w1: how much edges are to be short and even (0 to 1e+06, default 1)
-        position: w2: how much vertices are to stay where they began (1e-09 to 1e+06, default 0.1)
-        tau: share of each step that is taken (0.001 to 1, default 0.25); or share of the solved step that is gone (0
-            to 1, default 0.1)
-        rebase_every: number of steps after which the positions reached become those to stay at; 0: never (at least 0,
+        min_angle: with lambda_min below 0: no triangle gets an angle below this, or below its own angle before the
+            step if that is smaller, in degrees (5 or 5deg; 0 to 60, default 1); or no triangle gets an angle below
+            this, or below the smallest angle of the design if that is smaller, in degrees (5 or 5deg; 0 to 60,
             default 0)
-        band: no vertex ends further than this from where it began, in model units; 0 for the mean length of the edges
-            at inner vertices (at least 0, default 0)
-        enough: a defect of at most this is left alone, in radians (at least 0, default 0.01); or e_max at which the
-            method is done, in radians (at least 0, default 0.001)
-        max_updates: largest number of vertices tried, in all sweeps together (at least 0, default 500000)
-        step: which steps count; published: all, as printed, so that energy may rise (guarded or published, default
-            guarded)
-        max_visits: with published steps: a vertex that was tried this often is left alone, which ends the printed
-            loop (at least 1, default 100)
-        cg_steps: conjugate-gradient steps between two settings of the penalty (1 to 1000, default 5)
-        tolerance: done when a sweep changes the summed squared defects by at most this share of what they were at
-            first (0 to 1, default 1e-04)
-        border: whether border vertices that came at the same place, as on the two sides of a seam, stay or move
-            together; all others stay (fixed or linked, default fixed); or what vertices of the border may do: stay,
-            slide along the border as it was, or go as far from where they were as this, in model units (fixed, slide
-            or a length such as 1.5 or 1.5mm, default fixed)
-        rings: number of rings around a vertex that move at once (1 to 10, default 3)
-        inner_steps: steps each time that a vertex is taken (1 to 1000, default 5)
+        max_deviation: farthest that a vertex may end from its position in the design, in model units (1.5 or 1.5mm;
+            at least 0, default no limit)
+        solver: how the best step is computed; trust_region is the solver that the paper names (model or trust_region,
+            default model)
+        lambda_: fraction of the Laplacian vector that every vertex moves (0 to 1, default 0.5); or with flow taubin:
+            fraction of the umbrella vector in the smoothing step (0 to 1, default 0.33)
+        order: order in which a sweep moves the vertices (sequential or simultaneous, default sequential)
+        update: how a step gives new positions, until direct steps begin (direct, uniform or cotangent, default
+            cotangent)
+        switch_e_max: direct steps begin when e_max is below this, in radians (at least 0, default 0.001)
+        switch_after: direct steps also begin after this number of faired steps, once a faired step gains too little
+            (at least 0, default 20)
+        switch_fall: a faired step gains too little if e_max falls by less than this, in radians (at least 0, default
+            0.01)
+        damping: damping of faired steps, relative to the median of the matrix's diagonal; 0 means 3e-6 for cotangent,
+            3e-4 for uniform (0 to 1000, default 0); or least softness of the constraints, relative to the matrix;
+            1e-9 makes them hard, as printed in the paper; they get softer where e_max would rise (1e-12 to 1000,
+            default 1e-09)
+        border_weight: weight of the moves of vertices next to the border; 10 keeps the slant of the surface there
+            (0.001 to 1000, default 1)
+        max_step: largest move of a vertex in a direct step, as a multiple of its shortest edge (1e-06 to 10, default
+            0.5)
+        min_step: converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-06);
+            or converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-05); or
+            converged when the rms step is below this fraction of the mean edge length (0 to 1, default 1e-04)
+        fairness: w1, the weight of short and even edges (0 to 1e+06, default 1)
+        position: w2, the weight of staying at the first positions (1e-09 to 1e+06, default 0.1)
+        tau: fraction of each step that is taken (0.001 to 1, default 0.25); or fraction of each step that is taken (0
+            to 1, default 0.1)
+        rebase_every: after this number of steps the present positions become those to stay near; 0: never (at least
+            0, default 0)
+        band: farthest that a vertex may end from its position in the design, in model units; 0 means the mean length
+            of the edges at inner vertices (at least 0, default 0)
+        enough: defects of at most this are left as they are, in radians (at least 0, default 0.01); or done when
+            e_max is at most this, in radians (at least 0, default 0.001)
+        max_updates: largest number of vertices tried, over all sweeps (at least 0, default 500000)
+        step: which steps count: guarded: those that lower the energy; published: all, as printed, so that energy may
+            rise (guarded or published, default guarded)
+        max_visits: with published steps: largest number of visits of a vertex, which ends the printed loop (at least
+            1, default 100)
+        cg_steps: conjugate-gradient steps before the penalty grows (1 to 1000, default 5)
+        tolerance: done when a sweep changes the sum of squared defects by at most this fraction of its first value (0
+            to 1, default 1e-04)
+        border: whether border vertices at the same place, as on the two sides of a seam, stay or move together; all
+            other border vertices stay (fixed or linked, default fixed); or what border vertices may do: stay, slide
+            along the border of the design, or move by at most a distance in model units (fixed, slide or a length
+            such as 1.5 or 1.5mm, default fixed)
+        rings: number of rings around a vertex that move together (1 to 10, default 3)
+        inner_steps: steps for each visit of a vertex (1 to 1000, default 5)
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
-        pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
-            stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        flow: what a sweep is: none: one solve to where the surface bends least; else a step of a flow (none, taubin,
-            implicit or anisotropic, default none)
-        mu: of taubin: the same in the step back, negative (-1 to 0, default -0.34)
-        crease: of anisotropic: where normals turn by more than this along a mean edge, in degrees, it is a crease (5
-            or 5deg; 0.1 to 180, default 20)
-        max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
-            as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
-        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
-            (0.02 or 2%; 0 to 1, default 0)
-        max_bending: with prefer smooth or flat: largest bending, as a multiple of that of the design; a larger one
-            lets the surface stay nearer; 0: as smooth as usual (0 to 1e+06, default 0)
-        prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
-            near, default smooth)
-        closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
-            rough and 2.5 degrees more (0 to 1e+06, default 1)
-        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
-            snapped to the mesh
-        weights: weights of moves: on each line a vertex, from 0, and its weight
-        obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        pull: how strongly vertices are pulled to their first positions; waves longer than 2 pi sqrt(area / pull)
+            stay, shorter ones go; 0: no pull (at least 0, default 100)
+        flow: what a sweep does: none: one solve for the surface that bends least; else one step of a flow (none,
+            taubin, implicit or anisotropic, default none)
+        mu: with flow taubin: fraction of the umbrella vector in the step back, below 0 (-1 to 0, default -0.34)
+        crease: with flow anisotropic: a crease is where normals turn by more than this along a mean edge, in degrees
+            (5 or 5deg; 0.1 to 180, default 20)
+        max_strain: largest strain that an edge of the pattern may have, as a fraction of its length; the form changes
+            only as much as this needs (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
+        material: use the limit of a material instead of --max-strain: steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists their limits
+        max_rms_strain: largest root mean square of the strain, as a fraction of length; a few places with more strain
+            do not decide it (0.02 or 2%; 0 to 1, default 0)
+        max_bending: with prefer smooth or flat: largest bending, as a multiple of the design's; a larger value keeps
+            the surface nearer to the design; 0: as smooth as usual (0 to 1e+06, default 0)
+        prefer: what matters most: a smooth surface, a flattenable surface, or a surface near to the design (smooth,
+            flat or near, default smooth)
+        closeness: how much roughness to accept for a surface nearer to the design; 0: no rougher than the design, 1:
+            twice as rough and 2.5 degrees more (0 to 1e+06, default 1)
+        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are moved
+            to the nearest vertices
+        weights: weights of vertices against moving, one a line: number of the vertex, from 0, and its weight
+        obstacle: a closed mesh that the surface must not enter
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.sweeps, _meshes.as_mesh(mesh, faces, name), given)

@@ -27,14 +27,14 @@ def measure(
     """Measures how far a patch is from flat, and what strain its pattern needs as it is.
 
     Keywords, as flags of the program:
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
-            on 99 % of the area
-        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
-        max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        max_strain: largest change of an edge's length from the patch to the pattern (0.02 or 2%); 2%@p99: on 99 % of
+            the area
+        material: use the limit of a material instead of --max-strain: steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists their limits
+        max_rms_strain: largest root mean square of the strain (0.02 or 2%)
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.measure, _meshes.as_mesh(mesh, faces, name), given, progress)

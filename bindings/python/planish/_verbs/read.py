@@ -26,17 +26,17 @@ def read(
     """Reads an OBJ, PLY, STL or OFF file. What is done to its mesh is in its notes; its groups are its pieces.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
-            together (default objects)
-        only: take these objects, groups, materials or pieces, by their names with commas between
-        without: leave out these objects, groups, materials or pieces
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        divide: what makes a piece: objects (or groups, if the file has no objects), materials, or parts, which are
+            not connected to each other (default objects)
+        only: take only these objects, groups, materials or pieces: names, separated by commas
+        without: leave out these objects, groups, materials or pieces: names, separated by commas
         weld: join borders that lie within LENGTH of each other (1.5 or 1.5mm; default: a length that fits the size of
             the mesh)
         fill_holes: close holes whose border is at most LENGTH long (1.5 or 1.5mm)
-        side: of a wall with a thickness take one side: outer or inner
+        side: of a wall with a thickness, take one side: outer or inner
         flip: turn the surface over: its inner side becomes the outer one
-        strict: take the mesh as it is: repair and leave out only what other flags ask for
+        strict: take the mesh as it is; repair and leave out only what other flags ask for
     """
     given = _run.keywords_of(locals())
     return _core.read(_meshes.text_of(path), given)

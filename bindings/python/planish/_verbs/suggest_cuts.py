@@ -28,14 +28,14 @@ def suggest_cuts(
     """Looks for short cuts that let a mesh lie flat.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
-        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
+        max_strain: limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
+        material: use the limit of a material instead of --max-strain: steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists their limits
         max_cuts: largest number of darts (0 to 50, default 6)
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.suggest_cuts, _meshes.as_mesh(mesh, faces, name), given, progress)

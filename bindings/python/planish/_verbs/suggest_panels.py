@@ -33,23 +33,23 @@ def suggest_panels(
     """Divides a whole product, closed or open, into few panels with short seams.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+        unit: unit of the mesh's coordinates: mm, cm, dm, m or in (default: as the file says, else mm)
+        scale: multiply all coordinates by this when the mesh is read; for a unit of 0.5 m: --unit m --scale 0.5
             (default 1)
-        max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
-            on 99 % of the area
-        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
-            stretch-woven or leather-lasted or a .json file of your own; planish materials lists the limits
-        max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
-        prefer_cuts: what a division into panels saves first: few (pieces), short (seams), simple (no slits that end
-            inside a piece); default few
-        effort: how many divisions are tried (1 to 1000, default 6); more are never worse
-        symmetric: make left equal right: auto where the product is symmetric, "x=0" names the plane, no (default
+        max_strain: largest change of an edge's length from the patch to the pattern (0.02 or 2%); 2%@p99: on 99 % of
+            the area
+        material: use the limit of a material instead of --max-strain: steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted or a .json file of your own; planish materials lists their limits
+        max_rms_strain: largest root mean square of the strain (0.02 or 2%)
+        prefer_cuts: what a division into panels must have before all else: few pieces (few), short seams (short), or
+            no slits that end inside a piece (simple); default few
+        effort: number of divisions to try (1 to 1000, default 6); a larger number never gives a worse result
+        symmetric: make left equal right: auto does so if the product is symmetric, "x=0" names the plane, no (default
             auto)
-        seams: lines that must be seams, in the words of --cut: a drawing (.obj), "plane x=0", "creases 30deg", ...;
-            others join them; may be repeated
-        match_seams: keep the limit with both sides of each seam equally long, as the pieces of flatten --cut auto do
-        threads: use at most N threads; never changes the result (default: all usable cores)
+        seams: lines that must be seams, written as for --cut: a drawing (.obj), "plane x=0", "creases 30deg", ...;
+            other seams join them; may be repeated
+        match_seams: keep the limit even with both sides of each seam equally long, as flatten --cut auto makes them
+        threads: largest number of threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.suggest_panels, _meshes.as_mesh(mesh, faces, name), given, progress)

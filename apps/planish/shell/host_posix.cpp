@@ -97,6 +97,7 @@ class Launch {
   /// Starts a program of the search path.
   Started start(std::vector<std::string> words) const {
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -23,7 +23,7 @@ class OwnStepper {
       : method_(method), state_(state), pool_(pool) {
     const std::size_t count = method.moves_border ? state.vertex_count() : state.inner_count();
     for (Index v = 0; v < count; ++v) {
-      if (!state.is_fixed(v)) movable_.push_back({state.vertex_of(v), v});
+      if (!state.is_fixed(v)) movable_.emplace_back(state.vertex_of(v), v);
     }
     std::sort(movable_.begin(), movable_.end());
     for (const auto& [in_mesh, v] : movable_)

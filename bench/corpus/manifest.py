@@ -8,7 +8,10 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "planted"))
 
 import meshes
+import planted
+from designs import designs
 from formulas import FAMILIES
+from surface import norm
 
 SEED = 1
 SIZES = (300, 1500, 6000)  # vertices, about
@@ -34,9 +37,6 @@ def chosen(pairs, value):
 
 
 def planted_mesh(vertices, rng):
-    import planted
-    from designs import designs
-
     all_designs = designs()
     design, _ = planted.meshes(all_designs[int(rng.integers(len(all_designs)))], vertices)
     return design.positions, design.triangles
@@ -84,5 +84,5 @@ class Corpus:
         if len(triangles) < 4:
             return None
         positions, triangles = meshes.region(positions, triangles, 2 * vertices, rng)
-        diagonal = float(meshes.norms(np.ptp(positions, axis=0)))
+        diagonal = float(norm(np.ptp(positions, axis=0)))
         return rng.uniform(100.0, 1000.0) / max(diagonal, 1e-300) * positions, triangles

@@ -1,16 +1,19 @@
 """Disks and holed patches of a corpus: from formulas, and cut out of whole meshes; and what may be wrong with them."""
 
+import heapq
+import pathlib
+import sys
+
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "paper"))
+
 from formulas import FAMILIES
-
-
-def norms(vectors):
-    return np.sqrt(np.sum(vectors * vectors, axis=-1))
+from surface import norm
 
 
 def sheet(vertices, aspect, rng):
-    """Places in [0, 1]^2 of about so many vertices, jittered, and triangles over them."""
+    """Jittered points in [0, 1]^2, about this number of them, and a triangulation."""
     columns = max(4, round(np.sqrt(vertices * aspect)))
     rows = max(4, round(vertices / columns))
     places, triangles = [], []
@@ -87,7 +90,7 @@ def with_holes(places, triangles, count, rng):
 def by_formula(family, vertices, rng):
     surface = FAMILIES[family](rng)
     corners = surface(np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
-    along, across = norms(corners[1] - corners[0]), norms(corners[2] - corners[0])
+    along, across = norm(corners[1] - corners[0]), norm(corners[2] - corners[0])
     aspect = np.clip(along / max(across, 1e-9), 0.2, 5.0)
     places, triangles = sheet(vertices, aspect, rng)
     if rng.random() < 0.2:
@@ -103,11 +106,9 @@ def region(positions, triangles, most, rng):
             neighbours.setdefault((min(edge), max(edge)), []).append(t)
     centres = positions[triangles].mean(axis=1)
     first = int(rng.integers(len(triangles)))
-    distance = norms(centres - centres[first])
+    distance = norm(centres - centres[first])
     taken, vertices, edges = set(), set(), set()
     front, seen = [(0.0, first)], {first}
-    import heapq
-
     def edges_of(t):
         a, b, c = triangles[t].tolist()
         return [(min(e), max(e)) for e in ((a, b), (b, c), (c, a))]
@@ -132,7 +133,7 @@ def region(positions, triangles, most, rng):
 
 
 def mean_edge(positions, triangles):
-    return float(np.mean([norms(positions[triangles[:, k]] - positions[triangles[:, (k + 1) % 3]]).mean()
+    return float(np.mean([norm(positions[triangles[:, k]] - positions[triangles[:, (k + 1) % 3]]).mean()
                           for k in range(3)]))
 
 
@@ -142,7 +143,7 @@ def vertex_normals(positions, triangles):
     across = np.cross(b - a, c - a)
     for k in range(3):
         np.add.at(normals, triangles[:, k], across)
-    lengths = norms(normals)
+    lengths = norm(normals)
     return normals / np.where(lengths > 0.0, lengths, 1.0)[:, None]
 
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from meshes import norms
+from surface import norm
 
 
 def texts_of_obj(path):
@@ -25,11 +25,11 @@ def mesh_of_obj(path):
 def rms_strain(patch, flat, triangles):
     """Of the edges' lengths, flat over patch less 1, each weighted by a third of the area of its triangles."""
     a, b, c = (patch[triangles[:, k]] for k in range(3))
-    area = 0.5 * norms(np.cross(b - a, c - a))
+    area = 0.5 * norm(np.cross(b - a, c - a))
     squares = weights = 0.0
     for k in range(3):
         p, q = triangles[:, k], triangles[:, (k + 1) % 3]
-        strain = norms(flat[q] - flat[p]) / norms(patch[q] - patch[p]) - 1.0
+        strain = norm(flat[q] - flat[p]) / norm(patch[q] - patch[p]) - 1.0
         squares += float(np.sum(area * strain * strain))
         weights += float(np.sum(area))
     return np.sqrt(squares / weights)

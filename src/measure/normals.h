@@ -27,6 +27,17 @@ inline std::vector<Vec3> vertex_normals(std::span<const Triangle> triangles,
   return normals;
 }
 
+/// The same of length 1; zero where the normals of the triangles cancel.
+inline std::vector<Vec3> unit_vertex_normals(std::span<const Triangle> triangles,
+                                             std::span<const Vec3> positions) {
+  std::vector<Vec3> normals = vertex_normals(triangles, positions, 1.0);
+  for (Vec3& normal : normals) {
+    const double length = norm(normal);
+    normal = length > 0.0 ? (1.0 / length) * normal : Vec3{};
+  }
+  return normals;
+}
+
 /// How far each vertex went along the normals of the design, positive to their side; model units.
 inline std::vector<double> normal_offsets(const Patch& design, std::span<const Vec3> after) {
   const double scale = design.unit_scale();

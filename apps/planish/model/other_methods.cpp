@@ -70,21 +70,21 @@ std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-/// A folder for the files of one run of a program, which is removed with all that is in it.
-class PassingFolder {
+/// A temporary folder for the files of one run of a program; removed with its content.
+class TemporaryFolder {
  public:
-  PassingFolder() {
+  TemporaryFolder() {
     int number = 0;
-    do  // until nobody has a folder of that name
+    do  // until the name is free
       path_ = fs::temp_directory_path() / path_of("planish-" + std::to_string(number++));
     while (!fs::create_directory(path_));
   }
-  ~PassingFolder() {
+  ~TemporaryFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   fs::path file(const char* name) const { return path_ / name; }
 
@@ -102,7 +102,7 @@ std::string with_place(std::string word, std::string_view mark, const std::strin
 /// Runs the program on the surface as it is now.
 std::vector<Vec3> result_of_program(std::vector<std::string> words, const SweepInput& input,
                                     Session& session) {
-  const PassingFolder folder;
+  const TemporaryFolder folder;
   const fs::path in = folder.file("in.obj"), out = folder.file("out.obj");
   write_mesh(in, {input.positions, input.design.triangles()});
   for (std::string& word : words)

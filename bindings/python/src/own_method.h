@@ -18,8 +18,7 @@ namespace py = pybind11;
 ///   call
 OwnMethod method_of(const py::object& function, Job& job);
 
-/// The function that keywords have for `method` in place of a name, None where they have none, and
-/// the other keywords.
+/// The value of the keyword `method` if it is a function, else None; and all other keywords.
 std::pair<py::object, py::dict> own_function_of(const py::dict& keywords);
 
 /// SweepInput.

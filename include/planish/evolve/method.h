@@ -450,7 +450,7 @@ struct OwnMethod {
   /// that may not move stay, whatever it returns for them. A sweep that moves nothing ends the run.
   /// What it throws passes through evolve(). Called from the thread that evolves.
   std::function<std::vector<Vec3>(const SweepInput&)> sweep = {};
-  int usual_sweeps = 10;      ///< how many it is given where nobody said
+  int usual_sweeps = 10;      ///< default of Stopping::max_sweeps
   bool moves_border = false;  ///< whether vertices of the border may move too
 };
 
@@ -460,7 +460,7 @@ void describe(OwnMethod& /*method*/, Visit&& /*visit*/) {}  // its options are i
 /// A method is a value: its options say which one it is. Each has its struct above, its source file
 /// in src/evolve and its page under docs/methods; the struct says
 ///   name             on the command line and in reports,
-///   usual_sweeps     how many sweeps it is given where nobody said,
+///   usual_sweeps     default number of sweeps,
 ///   honours_weights, honours_obstacle   see Constraints,
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
 /// docs: it calls visit(name, member, doc, range) for numbers, visit(name, member, doc) for

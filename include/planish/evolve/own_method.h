@@ -11,7 +11,7 @@ namespace planish {
 /// What a method of one's own is given for a sweep. It is valid during the call. Vertices are
 /// numbered as in the mesh.
 struct SweepInput {
-  const Patch& design;                 ///< as it came: triangles, rings, inner vertices, border
+  const Patch& design;  ///< the input patch: triangles, rings, inner vertices, border
   const std::vector<Vec3>& positions;  ///< where the vertices are now, model units
   const std::vector<Index>& movable;   ///< the vertices that may move, increasing
   int sweep = 1;                       ///< the number of this sweep, from 1

@@ -15,26 +15,11 @@
 #include "evolve/systems/fairing_system.h"
 #include "evolve/systems/positions.h"
 #include "measure/area.h"
+#include "measure/normals.h"
 
 namespace planish {
 
 namespace {
-
-/// Unit normals of all vertices, of the surface with these positions; zero where they cancel.
-std::vector<Vec3> normals_of(const TriMesh& mesh) {
-  std::vector<Vec3> normals(mesh.positions.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]];
-    const Vec3 normal = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
-    for (const Index v : t)
-      normals[v] += normal;
-  }
-  for (Vec3& normal : normals) {
-    const double length = norm(normal);
-    if (length > 0.0) normal = (1.0 / length) * normal;
-  }
-  return normals;
-}
 
 class FairingStepper {
  public:
@@ -113,7 +98,7 @@ class FairingStepper {
         diffused(before, 2.0 / (edge * edge), [](const Triangle&) { return Diffusivity{}; });
     if (!smooth) return {};
     const TriMesh mesh = surface(*smooth);
-    const std::vector<Vec3> normals = normals_of(mesh);
+    const std::vector<Vec3> normals = unit_vertex_normals(mesh.triangles, mesh.positions);
     const double crease = options_.crease * (std::numbers::pi / 180.0) / edge;
     const auto slowed = [crease](double curvature) {
       const double ratio = curvature / crease;

@@ -29,13 +29,6 @@ Vec3 unit(Vec3 a) {
   return length > 0.0 ? (1.0 / length) * a : Vec3{};
 }
 
-std::vector<Vec3> unit_normals(const Patch& design, std::span<const Vec3> positions) {
-  std::vector<Vec3> normals = vertex_normals(design.triangles(), positions, 1.0);
-  for (Vec3& normal : normals)
-    normal = unit(normal);
-  return normals;
-}
-
 /// Rows: two directions across a normal, and the normal.
 Matrix3d frame_of(Vec3 normal) {
   const Vec3 off = std::abs(normal.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
@@ -138,8 +131,8 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
   };
   pair.before = placed(design.positions());
   pair.after = placed(after);
-  pair.normals_before = unit_normals(design, pair.before);
-  pair.normals_after = unit_normals(design, pair.after);
+  pair.normals_before = unit_vertex_normals(design.triangles(), pair.before);
+  pair.normals_after = unit_vertex_normals(design.triangles(), pair.after);
   pair.areas.assign(n, 0.0);
   NeumaierSum length;
   for (const Triangle& t : design.triangles()) {
